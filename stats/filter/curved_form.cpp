@@ -229,6 +229,7 @@ double CurvedForm::above_level(double x, double y) const {
 }
 
 CurvedForm fit_curved_form(const Field& z, const Grid& grid, CurvedShape shape, int threads) {
+  if (z.rows() == 1 || z.cols() == 1) refuse(shape, "a profile does not determine it: remove a polynomial");
   const Points points{z, grid, mean(z), std::hypot(grid.size_x(), grid.size_y()) / 2, threads};
   const Fit found = fit(shape, points);
   check_determined(found, points.unit);

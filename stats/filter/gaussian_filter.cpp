@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "core/words.hpp"
@@ -61,10 +62,13 @@ Field outer(const Eigen::ArrayXd& along_x, const Eigen::ArrayXd& along_y) {
 }  // namespace
 
 void check_cutoff(const Grid& grid, double cutoff) {
-  const double least = 2 * std::max(grid.dx, grid.dy);
-  if (!(cutoff >= least && std::isfinite(cutoff)))
-    throw ParameterError("cut-off", "'" + shortest(cutoff) + " m' is not finite or is below two samples, " +
-                                        shortest(least) + " m");
+  if (!(cutoff > 0 && std::isfinite(cutoff)))
+    throw ParameterError("cut-off", "'" + shortest(cutoff) + " m' is not a positive length");
+  for (const auto& [axis, n, spacing] :
+       {std::tuple{"x", grid.shape.nx, grid.dx}, std::tuple{"y", grid.shape.ny, grid.dy}})
+    if (n > 1 && cutoff < 2 * spacing)
+      throw ParameterError("cut-off", "'" + shortest(cutoff) + " m' is below two samples along " + axis +
+                                          ", " + shortest(2 * spacing) + " m");
 }
 
 GaussianSums::GaussianSums(const Grid& grid, double cutoff, int threads) {

@@ -28,7 +28,8 @@ namespace asperity {
 /// Of the weight in cut-offs: there exp(-π(1.65/α)²) is below 1e-16.
 inline constexpr double gaussian_reach = 1.65;
 
-/// Throws ParameterError("cut-off") unless 2 max(Δx, Δy) ≤ λ_c < ∞.
+/// Throws ParameterError("cut-off") unless 2 Δ ≤ λ_c < ∞ for the spacing Δ of each axis of
+/// several points.
 void check_cutoff(const Grid& grid, double cutoff);
 
 /// Sums under the weight (1) over the points of a field, and along periodic axes over their images.
@@ -51,7 +52,8 @@ class GaussianSums {
   Field inside_;
 };
 
-/// Throws ParameterError("cut-off") unless 2 max(Δx, Δy) ≤ λ_c < ∞.
+/// Throws ParameterError("cut-off") unless 2 Δ ≤ λ_c < ∞ for the spacing Δ of each axis of
+/// several points.
 Field gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int threads = 1);
 
 }  // namespace asperity

@@ -27,7 +27,8 @@
 
 namespace asperity {
 
-/// Throws ParameterError("cut-off") unless 2 max(Δx, Δy) ≤ λ_c < ∞.
+/// Throws ParameterError("cut-off") unless 2 Δ ≤ λ_c < ∞ for the spacing Δ of each axis of
+/// several points.
 Field spline_mean_surface(const Field& z, const Grid& grid, double cutoff, int threads = 1);
 
 }  // namespace asperity

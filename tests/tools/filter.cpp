@@ -181,13 +181,15 @@ TEST_CASE("what a step cannot take is one line, exit 2 and no output", "[filter]
       {"map.nc --crop 0:2", "asperity-filter: --crop: '0:2' is not of the form A:B,C:D"},
       {"map.nc --crop x:2,0:1", "asperity-filter: --crop: 'x:2' is not a range A:B of points"},
       {"map.nc --decimate 0x1", "asperity-filter: --decimate: "},
+      {"map.nc --decimate 33x1", "asperity-filter: --decimate: '33x1' is more than the map has points"},
+      {"map.nc --crop 0:1,: --remove-form sphere",
+       "asperity-filter: --remove-form: 'sphere': a profile does not determine it"},
       {"map.nc --remove-form ball", "asperity-filter: --remove-form: 'ball' is not mean, plane"},
       {"map.nc --remove-form 21", "asperity-filter: --remove-form: '21' is not a degree from 0 to 20"},
       {"map.nc --lambda-c 8", "asperity-filter: --lambda-c: '8' has no unit"},
       {"map.nc --lambda-c 8um,best", "asperity-filter: --lambda-c: 'best' is none of gaussian|robust|spline"},
       {"map.nc --lambda-c 1mm", "asperity-filter: --lambda-c: 1mm is longer than the field, 72um"},
-      {"map.nc --lambda-c 1um",
-       "asperity-filter: --lambda-c: '1e-06 m' is not finite or is below two samples"},
+      {"map.nc --lambda-c 1um", "asperity-filter: --lambda-c: '1e-06 m' is below two samples along x"},
       {"map.nc --lambda-s 30um --lambda-c 20um",
        "asperity-filter: --lambda-s: 30um is not below --lambda-c 20um"},
       {"map.nc --fill none", "asperity-filter: --fill: 'none' is none of laplace|mean|least"},
@@ -209,4 +211,27 @@ TEST_CASE("what a step cannot take is one line, exit 2 and no output", "[filter]
     CHECK_THAT(run.error, StartsWith(expected));
     CHECK(lines(run.error) == 1);
   }
+}
+
+TEST_CASE("a single profile is filtered whatever the width of its other axis", "[filter][exact]") {
+  const Field z = Field::NullaryExpr(200, 1, [](Index i, Index) { return 1e-6 * std::sin(0.7 * double(i)); });
+  for (const double width : {1e-6, 1e-3}) {
+    write_map(z, {{200, 1}, 1e-6, width}, "profile.nc");
+    REQUIRE(shell("asperity-filter profile.nc --lambda-c 20um -o f.nc").exit == 0);
+    // Spacings come back from coordinates: to n ε of themselves, and so do weights.
+    const Field expected = z - gaussian_mean_surface(z, Grid{{200, 1}, 1e-6, 1e-6}, 20e-6);
+    CHECK((heights_in("f.nc") - expected).abs().maxCoeff() <= 1e3 * epsilon * 1e-6);
+    CHECK(shell("asperity-filter profile.nc --lambda-c 0.5mm -o f.nc").exit == 2);
+  }
+}
+
+TEST_CASE("values that are no lengths have neither balls nor spheres", "[filter][contract]") {
+  write_dataset(dataset_of({.values = rough(), .spacing = {1e-6, 1e-6}, .units = "V"}), "volts.nc");
+  for (const std::string step : {"--closing 3um", "--opening 3um", "--remove-form sphere"}) {
+    const Outcome run = shell("asperity-filter volts.nc --variable values " + step + " -o no.nc");
+    CAPTURE(step, run.error);
+    CHECK(run.exit == 4);
+    CHECK_THAT(run.error, ContainsSubstring("not a length"));
+  }
+  CHECK(shell("asperity-filter volts.nc --variable values --remove-form plane -o f.nc").exit == 0);
 }

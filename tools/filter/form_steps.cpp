@@ -25,6 +25,7 @@ std::string words_of(const WithoutForm& found, Form::Kind kind) {
 
 Act without_form(const std::string& value) {
   return [form = parse_form("remove-form", value)](const Tool& tool, Surface& surface) -> Account {
+    if (form.kind != Form::Kind::polynomial) check_lengths(surface, "the radius of a form");
     WithoutForm found = asperity::without_form(surface.heights, surface.grid, form, tool.thread_count());
     const Field former = std::exchange(surface.heights, std::move(found.heights));
     surface.degree = std::max(surface.degree, form.modes());

@@ -92,6 +92,8 @@ ActOnParts crop_in_strips(const std::string& value) {
 // A period has whole steps.
 Grid thinned(const Grid& grid, Shape step) {
   const auto [nx, ny] = grid.shape;
+  if (step.nx > nx || step.ny > ny)
+    refuse("decimate", text(step), "is more than the map has points, " + text(grid.shape));
   return {{(nx + step.nx - 1) / step.nx, (ny + step.ny - 1) / step.ny},
           grid.dx * static_cast<double>(step.nx),
           grid.dy * static_cast<double>(step.ny),

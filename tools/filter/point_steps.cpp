@@ -12,6 +12,7 @@
 #include "stats/filter/median_filter.hpp"
 #include "stats/filter/morphology.hpp"
 #include "tools/filter/step.hpp"
+#include "tools/measure/preparation_words.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -29,6 +30,7 @@ Act by_ball(const char* option, const std::string& value) {
   const double radius = parse_quantity(option, value, "m");
   if (!(radius > 0 && std::isfinite(radius))) refuse(option, value, "is not a positive length");
   return [radius](const Tool& tool, Surface& surface) -> Account {
+    check_lengths(surface, "the radius of a ball");
     const StructuringElement ball{StructuringElement::Kind::ball, radius};
     Field now = filter(surface.heights, surface.grid, ball, tool.thread_count());
     const Field former = std::exchange(surface.heights, std::move(now));

@@ -76,6 +76,7 @@ Surface FieldOptions::without_heights(const Dataset& data) const {
 Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
   Surface surface = without_heights(data);
   surface.heights = field_of(data, variable, Missing::not_a_number);
+  if (asked.form.kind != Form::Kind::polynomial) check_lengths(surface, "the radius of a form");
   check_cutoffs(tool, asked, surface.grid);
   surface = prepared(std::move(surface), asked, tool.thread_count());
   for (const std::string& doubt : surface.doubts) tool.warn(doubt);

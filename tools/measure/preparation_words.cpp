@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/filter/form.hpp"
 
@@ -61,10 +62,17 @@ void set_removed_degree(Dataset& data, int degree) {
 }
 
 void check_cutoff(const std::string& option, const Cutoff& cutoff, const Grid& grid) {
-  const double side = std::max(grid.size_x(), grid.size_y());
+  const auto [nx, ny] = grid.shape;
+  const double side = std::max(nx > 1 || ny == 1 ? grid.size_x() : 0, ny > 1 || nx == 1 ? grid.size_y() : 0);
   if (longer(cutoff, side))
     throw UsageError(option, metres(cutoff.wavelength) + " is longer than the field, " + metres(side) +
                                  ": it holds no such waves; leave the filter out");
+}
+
+void check_lengths(const Surface& surface, const std::string& what) {
+  if (surface.units != "m")
+    throw DataError(surface.variable,
+                    "is in '" + surface.units + "', not a length: " + what + " has no meaning here");
 }
 
 void warn_of_cutoff(const Tool& tool, const Cutoff& cutoff, const Grid& grid) {

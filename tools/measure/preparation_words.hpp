@@ -7,6 +7,7 @@
 
 #include "dataset/dataset.hpp"
 #include "stats/filter/preparation.hpp"
+#include "stats/measure/surface.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -27,6 +28,8 @@ void set_removed_degree(Dataset& data, int degree);
 /// Throws UsageError(option, …) for a cut-off beyond the longer side of the field, where a filter separates
 /// nothing.
 void check_cutoff(const std::string& option, const Cutoff& cutoff, const Grid& grid);
+/// Throws DataError(variable, …) for a sphere, a cylinder or a ball where values are no lengths.
+void check_lengths(const Surface& surface, const std::string& what);
 /// Warns where one side of the field is shorter than the cut-off.
 void warn_of_cutoff(const Tool& tool, const Cutoff& cutoff, const Grid& grid);
 
