@@ -17,8 +17,6 @@
 namespace asperity {
 namespace {
 
-constexpr double core_share = 0.4;
-
 // Those that are there; runs are sorted by a thread each and merged pairwise.
 std::vector<double> sorted_descending(const Field& z, int threads) {
   std::vector<double> heights(z.data(), z.data() + z.size());
@@ -98,8 +96,7 @@ double MaterialRatioCurve::ratio(double height) const {
 }
 
 template <class Visit>
-void MaterialRatioCurve::segments(double from, double to, Visit visit) const {
-  const double begin = from * last(), stop = to * last();
+void MaterialRatioCurve::segments(double begin, double stop, Visit visit) const {
   for (std::size_t k = piece_at(begin); k + 1 < descending_.size() && rank_of(k) < stop; ++k) {
     const double first = std::max(begin, rank_of(k)), end = std::min(stop, rank_of(k + 1));
     visit(Piece{first, end, within(k, first), within(k, end)});
@@ -109,41 +106,67 @@ void MaterialRatioCurve::segments(double from, double to, Visit visit) const {
 // ∫ (c - level) dp.
 double MaterialRatioCurve::area(double from, double to, double level) const {
   long double sum = 0;
-  segments(from, to, [&](const Piece& piece) { sum += piece.width() * (piece.mean() - level); });
+  segments(from * last(), to * last(),
+           [&](const Piece& piece) { sum += piece.width() * (piece.mean() - level); });
   return static_cast<double>(sum) / last();
 }
 
-// The fall over the core's width changes its slope only where either end passes a corner of the curve.
-double MaterialRatioCurve::core_start() const {
-  const double span = core_share * last(), room = last() - span;
-  double best = 0, least = std::numeric_limits<double>::infinity();
-  auto consider = [&](double start) {
-    if (start < 0 || start > room) return;
-    const double fall = at(start) - at(start + span);
-    if (fall < least || (fall == least && start < best)) least = fall, best = start;
-  };
-  for (std::size_t k = 0; k < descending_.size(); ++k) {
-    consider(rank_of(k));
-    consider(rank_of(k) - span);
-  }
-  return best / last();
+double MaterialRatioCurve::round_off() const {
+  constexpr double ulps = 256;
+  return ulps * std::numeric_limits<double>::epsilon() *
+         std::max(std::abs(descending_.front()), std::abs(descending_.back()));
 }
 
-CoreParameters MaterialRatioCurve::core() const {
-  const double start = core_start(), stop = start + core_share, middle = (start + 0.5 * core_share) * last();
+// Without a width in ranks that is rounded where it is whole: a step of equal heights would be cut.
+double MaterialRatioCurve::core_span() const { return 2 * last() / 5; }
+
+// The fall over the core's width changes its slope only where either end passes a corner of the curve.
+template <class Visit>
+void MaterialRatioCurve::falls(Visit visit) const {
+  const double span = core_span(), room = last() - span;
+  for (std::size_t k = 0; k < descending_.size(); ++k) {
+    const double rank = rank_of(k);
+    if (rank <= room) visit(rank, descending_[k] - at(rank + span));
+    if (rank >= span) visit(rank - span, at(rank - span) - descending_[k]);
+  }
+}
+
+// The ranks where the first and the last of them begin.
+std::pair<double, double> MaterialRatioCurve::flattest() const {
+  double least = std::numeric_limits<double>::infinity(), first = least, last = 0;
+  falls([&](double, double fall) { least = std::min(least, fall); });
+  falls([&](double start, double fall) {
+    if (fall <= least + round_off()) first = std::min(first, start), last = std::max(last, start);
+  });
+  return {first, last};
+}
+
+MaterialRatioCurve::Line MaterialRatioCurve::line_from(double start) const {
+  const double width = core_span(), middle = start + 0.5 * width;
   long double level = 0, tilt = 0;
-  segments(start, stop, [&](const Piece& piece) {
+  segments(start, start + width, [&](const Piece& piece) {
     level += piece.width() * piece.mean();
     tilt += piece.width() * piece.moment(middle);
   });
-  const double width = core_share * last(), centre = static_cast<double>(level) / width;
+  const double centre = static_cast<double>(level) / width;
   const double slope = 12 * static_cast<double>(tilt) / (width * width * width);  // per rank, ≤ 0
-  const double upper = centre - slope * middle, lower = centre + slope * (last() - middle);
+  return {centre - slope * middle, centre + slope * (last() - middle)};
+}
 
-  CoreParameters out{
-      .sk = upper - lower, .smr1 = ratio(upper), .smr2 = ratio(lower), .upper = upper, .lower = lower};
-  if (out.smr1 > 0) out.spk = 2 / out.smr1 * area(0, out.smr1, upper);
-  if (out.smr2 < 1) out.svk = -2 / (1 - out.smr2) * area(out.smr2, 1, lower);
+CoreParameters MaterialRatioCurve::core() const {
+  const auto [first, last] = flattest();
+  const Line one = line_from(first), other = line_from(last);
+  const double upper = 0.5 * (one.upper + other.upper), lower = 0.5 * (one.lower + other.lower);
+  const double tiny = round_off();
+  auto length = [&](double value) { return value > tiny ? value : 0; };
+
+  CoreParameters out{.sk = length(upper - lower),
+                     .smr1 = ratio(upper + tiny),
+                     .smr2 = ratio(lower - tiny),
+                     .upper = upper,
+                     .lower = lower};
+  if (out.smr1 > 0) out.spk = length(2 / out.smr1 * area(0, out.smr1, upper));
+  if (out.smr2 < 1) out.svk = length(-2 / (1 - out.smr2) * area(out.smr2, 1, lower));
   return out;
 }
 
@@ -152,7 +175,11 @@ VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
   if (p > q)
     throw ParameterError("material-ratio", "'" + shortest(p) + "' is above the second, " + shortest(q));
   const double peak = area(0, p, upper), dale = 0 - area(q, 1, lower);
-  return {.vmp = peak, .vmc = area(0, q, lower) - peak, .vvc = 0 - area(p, 1, upper) - dale, .vvv = dale};
+  auto volume = [tiny = round_off()](double value) { return value > tiny ? value : 0; };
+  return {.vmp = volume(peak),
+          .vmc = volume(area(0, q, lower) - peak),
+          .vvc = volume(0 - area(p, 1, upper) - dale),
+          .vvv = volume(dale)};
 }
 
 double material_height_error(double ratio, const Moments& moments, const EffectiveSampleSize& size,

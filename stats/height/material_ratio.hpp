@@ -3,9 +3,13 @@
 /// c(p), the inverse material ratio, is the height above which the share p of the surface lies: the k-th
 /// highest of N heights, missing ones left out, at p = k/(N-1), k = 0 … N-1, with straight lines between,
 ///     c(0) = Sp,   c(1) = -Sv,   Smc(p) = c(p),   Smr = c⁻¹.                                          (1)
-/// The core is the first interval [p₀, p₀ + 0.4] over which c falls least; its least-squares line, extended
-/// to p = 0 and p = 1, has the heights u and v there,
-///     Sk = u - v,   Smr1 = Smr(u),   Smr2 = Smr(v).                                                    (2)
+/// The core is the interval [p₀, p₀ + 0.4] over which c falls least; its least-squares line, extended to
+/// p = 0 and p = 1, has the heights u and v there,
+///     Sk = u - v,   Smr1 = Smr(u + 0),   Smr2 = Smr(v - 0),                                            (2)
+/// the shares of heights above u and of heights not below v: what lies at u or v belongs to the core.
+/// Where several intervals fall equally, as of heights in steps, u and v are the means of those of the first
+/// and of the last. The standard's first alone would give z and -z different Sk; heights without ties, and
+/// those whose equal intervals lie on one line, have the same u and v either way.
 /// Triangles of the same area on the same base replace the hills above u and the dales below v,
 ///     Spk = 2/Smr1 ∫₀^{Smr1} (c - u) dp,   Svk = 2/(1-Smr2) ∫_{Smr2}¹ (v - c) dp,                       (3)
 /// zero if the base is. Volumes per area, of material above a height and of void below it,
@@ -29,16 +33,17 @@
 ///           the bias is O(1/N). (5) to first order in 1/N. By runs (stats/height/order.hpp) the error of
 ///           c(p) is below a cell's width w, 2e-6 to 2e-5 Sq, typically w/√(4n) for n heights per run, and
 ///           that of volumes is smaller; of two intervals whose falls differ by less than w either may be the
-///           core.
-/// Cost      a sort, N log N, in threads; then two passes for (2), one for (3) and (4). By runs no sort, and
+///           core. Falls and levels count as equal within 256 ε max |z|; lengths below that are 0.
+/// Cost      a sort, N log N, in threads; then four passes for (2), one for (3) and (4). By runs no sort, and
 ///           a few binary searches per run for (2).
 ///
-/// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), the first of several least slopes. E. J. Abbott, F. A.
+/// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), but for several least slopes. E. J. Abbott, F. A.
 /// Firestone, Mechanical Engineering 55 (1933) 569-572. R. R. Bahadur, A note on quantiles in large samples,
 /// Ann. Math. Statist. 37 (1966) 577-580. M. B. Wilk, R. Gnanadesikan, Probability plotting methods for the
 /// analysis of data, Biometrika 55 (1968) 1-17; A. Hazen, Trans. Am. Soc. Civ. Eng. 77 (1914) 1539-1640.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/field.hpp"
@@ -79,14 +84,24 @@ class MaterialRatioCurve {
   VolumeParameters volumes(double p = 0.1, double q = 0.8) const;
 
  private:
+  /// u, v.
+  struct Line {
+    double upper, lower;
+  };
+
   double rank_of(std::size_t k) const { return ranks_.empty() ? static_cast<double>(k) : ranks_[k]; }
   double last() const { return rank_of(descending_.size() - 1); }
   std::size_t piece_at(double rank) const;          ///< the k of the corners k, k + 1 beside it
   double within(std::size_t k, double rank) const;  ///< c(rank/(N-1)) on that piece
   double at(double rank) const { return within(piece_at(rank), rank); }
-  double core_start() const;
+  double round_off() const;  ///< of heights; more than that of the line
+  double core_span() const;  ///< 0.4 (N-1)
   template <class Visit>
-  void segments(double from, double to, Visit visit) const;
+  void falls(Visit visit) const;
+  std::pair<double, double> flattest() const;
+  Line line_from(double start) const;
+  template <class Visit>
+  void segments(double begin, double stop, Visit visit) const;  ///< ranks
   double area(double from, double to, double level) const;
 
   std::vector<double> descending_, ranks_;  ///< heights of the corners, and their ranks; 0, 1, 2, … if empty

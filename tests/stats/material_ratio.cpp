@@ -1,6 +1,7 @@
 #include "stats/height/material_ratio.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -27,6 +28,13 @@ Field heights_of_curve(Index n, Curve c) {
 // Straight from (0, hill) by (0.1, 1) and (0.8, 0) to (1, -dale).
 double bent(double p, double hill, double dale) {
   return p < 0.1 ? hill - (hill - 1) * p / 0.1 : p < 0.8 ? (0.8 - p) / 0.7 : -dale * (p - 0.8) / 0.2;
+}
+
+// The curve in memory, and by runs as of strips; z of one height per step.
+std::array<MaterialRatioCurve, 2> both_ways(const Field& z) {
+  HeightBins bins(moments(z));
+  bins.add(z);
+  return {MaterialRatioCurve(z), MaterialRatioCurve(bins.ascending())};
 }
 
 }  // namespace
@@ -107,6 +115,74 @@ TEST_CASE("a surface turned upside down exchanges hills and dales", "[material-r
   CHECK(std::abs(down.svk - 2 * up.spk) <= 150 * bound);
   CHECK(std::abs(down.smr1 - (1 - up.smr2)) <= 75 * bound);
   CHECK(std::abs(down.smr2 - (1 - up.smr1)) <= 75 * bound);
+}
+
+// N ε and the 75 of the slope, of heights up to 4; Smr moves by that over a step's height. Sizes of 5 m + 1
+// have whole cores of 2 m ranks, those of 64 · 64 = 4096 among them.
+TEST_CASE("heights in steps, clipped, and pits and spikes turned upside down exchange hills and dales",
+          "[material-ratio][exact]") {
+  for (const Shape shape : {Shape{64, 64}, Shape{40, 25}}) {
+    const Field g = gaussian_acf_field(shape, 3, 47);
+    const double level = 0.3 / 7;  // no binary fraction
+    Field pit = Field::Constant(shape.nx, shape.ny, level), two = (g > level).cast<double>();
+    pit(5, 7) = -2;
+    for (const Field& z : std::vector<Field>{g.min(0), g.min(level), g.max(-level), g.round(),
+                                             (g / 0.7).round() * 0.7, (5 * g).round() / 5, pit, two}) {
+      const auto curves = both_ways(z), mirrored = both_ways(-z);
+      const double bound = 75 * static_cast<double>(z.size()) * epsilon;
+      const CoreParameters up = curves[0].core();
+      CAPTURE(shape.nx, up.sk, up.spk, up.svk, up.smr1, up.smr2);
+      for (const MaterialRatioCurve& curve : mirrored) {
+        const CoreParameters down = curve.core();
+        CAPTURE(down.sk, down.spk, down.svk, down.smr1, down.smr2);
+        CHECK(std::abs(down.sk - up.sk) <= 8 * bound);
+        CHECK(std::abs(down.spk - up.svk) <= 8 * bound);
+        CHECK(std::abs(down.svk - up.spk) <= 8 * bound);
+        CHECK(std::abs(down.smr1 - (1 - up.smr2)) <= 8 * bound);
+        CHECK(std::abs(down.smr2 - (1 - up.smr1)) <= 8 * bound);
+      }
+    }
+  }
+}
+
+// u = v = 0 is the flat's height. Of the N = 2 m heights below the mid-ranks' Gaussian, m are 0: the last of
+// them has the rank m - 1, the next height, within 2/N of 0, the rank m. ∫ x φ dx from 0 on is φ(0).
+TEST_CASE("Gaussian heights clipped at their mean have Sk = 0, a base of one half, and 4 φ(0) on it",
+          "[material-ratio][order]") {
+  for (double n : {1e3, 1e4, 1e5}) {
+    const Field z = heights_of_curve(static_cast<Index>(n), [&](double p) {
+      return std::min(gsl_cdf_ugaussian_Qinv((std::round(p * (n - 1)) + 0.5) / n), 0.0);
+    });
+    for (const double sign : {1.0, -1.0}) {
+      const CoreParameters core = MaterialRatioCurve(sign * z).core();
+      CAPTURE(n, sign);
+      CHECK((core.sk == 0 && (sign > 0 ? core.spk : core.svk) == 0));
+      CHECK((sign > 0 ? core.smr1 : 1 - core.smr2) == 0);
+      CHECK(std::abs((sign > 0 ? core.smr2 : 1 - core.smr1) - (0.5 * n - 1) / (n - 1)) <= n * epsilon);
+      CHECK(std::abs((sign > 0 ? core.svk : core.spk) - 4 * gsl_ran_ugaussian_pdf(0)) <= 40 / n);
+    }
+  }
+}
+
+// One rank of N - 1 is the base; the triangle on it, of the pit's depth, is the pit.
+TEST_CASE("a pit in a flat has its depth for Svk, a spike its height for Spk, and nothing else is there",
+          "[material-ratio][exact]") {
+  for (const double flat : {0.0, 0.1 / 3}) {
+    Field z = Field::Constant(32, 32, flat);
+    z(3, 4) -= 1;
+    for (const MaterialRatioCurve& curve : both_ways(z)) {
+      const CoreParameters core = curve.core();
+      CHECK((core.sk == 0 && core.spk == 0 && !std::signbit(core.spk) && core.smr1 == 0));
+      CHECK(std::abs(core.svk - 1) <= 1024 * epsilon);
+      CHECK(std::abs(core.smr2 - 1022.0 / 1023) <= 1024 * epsilon);
+    }
+    for (const MaterialRatioCurve& curve : both_ways(-z)) {
+      const CoreParameters core = curve.core();
+      CHECK((core.sk == 0 && core.svk == 0 && !std::signbit(core.svk) && core.smr2 == 1));
+      CHECK(std::abs(core.spk - 1) <= 1024 * epsilon);
+      CHECK(std::abs(core.smr1 - 1.0 / 1023) <= 1024 * epsilon);
+    }
+  }
 }
 
 // Straight lines between the ranks end in half a step at either end: ∫ c dp is the trapezoidal rule.
