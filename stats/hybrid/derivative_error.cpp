@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/words.hpp"
+
 namespace asperity {
 namespace {
 
@@ -95,6 +97,23 @@ double DerivativeErrors::left(const Function& parameter, double taken) const {
     freed(s00) += square_taken, freed(square) += means(summit) * square_taken;
     return parameter(derivatives(means, grid_)) / parameter(derivatives(freed, grid_));
   });
+}
+
+std::string DerivativeErrors::too_few(double share, const char* neighbours) const {
+  constexpr double points_a_wave = 10;
+  const double points = std::round(share * sums_.count()),
+               least = points_a_wave * static_cast<double>(std::max<Index>(means_.waves(), 1));
+  if (points > least) return "";
+  return "no standard error: " + shortest(points) + (points == 1 ? " point has " : " points have ") +
+         neighbours + ", and an error needs more than " + shortest(least);
+}
+
+std::string DerivativeErrors::too_few_slopes() const {
+  return too_few(means_([](const Eigen::VectorXd& m) { return m(sloped); }), "the neighbours of a slope");
+}
+
+std::string DerivativeErrors::too_few_curvatures() const {
+  return too_few(means_([](const Eigen::VectorXd& m) { return m(surrounded); }), "all eight neighbours");
 }
 
 double DerivativeErrors::operator()(const Function& parameter) const {

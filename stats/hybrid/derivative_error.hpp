@@ -4,12 +4,16 @@
 /// means have the errors of stats/uncertainty/long_waves.hpp, and a parameter is a function of these means.
 ///
 /// Means over the points that have the neighbours they need are ratios of two means over the measured ones.
+/// A function of n such points holds n - 1 orthonormal waves besides its mean, which have its whole variance:
+/// of n > 10 K of them the K longest are a tenth or less. Of fewer points there is no error; of one it would
+/// be that of the step of a difference.
 ///
 /// Accuracy  as in long_waves.hpp; validation/error_coverage.
 /// Cost      one pass, 200 operations a point.
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/spectral_moments.hpp"
@@ -36,11 +40,16 @@ class DerivativeErrors {
   void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
 
   double operator()(const Function& parameter) const;
+  /// Why what rests on slopes, or on curvatures and summits, has no error; "" where it has one.
+  std::string too_few_slopes() const;
+  std::string too_few_curvatures() const;
   /// The factor by which a form that took this share of the variance of the heights changed a parameter.
   double left(const Function& parameter, double taken) const;
   double degrees() const { return means_.degrees(); }  ///< of freedom
 
  private:
+  std::string too_few(double share, const char* neighbours) const;
+
   Grid grid_;
   LocalSums sums_;
   LocalMeans means_ = {};

@@ -53,6 +53,25 @@ ProfileSpectralMoments SpectralMoments::isotropic() const {
   return {.m0 = m00, .m2 = std::sqrt(m20 * m02), .m4 = std::sqrt(m40 * m04)};
 }
 
+SpectralMoments SpectralMoments::without_round_off(const Grid& grid, double difference) const {
+  SpectralMoments out = *this;
+  auto remains = [difference](double moment, double spacing, int order) {
+    const double at_point = order == 1 ? difference : 4 * difference;
+    return !(std::sqrt(moment) * std::pow(spacing, order) <= at_point);
+  };
+  const bool zx = remains(m20, grid.dx, 1), zy = remains(m02, grid.dy, 1),
+             zxx = zx && remains(m40, grid.dx, 2), zyy = zy && remains(m04, grid.dy, 2), zxy = zx && zy;
+  if (!zx) out.m20 = 0;
+  if (!zy) out.m02 = 0;
+  if (!zxy) out.m11 = 0;
+  if (!zxx) out.m40 = 0;
+  if (!zyy) out.m04 = 0;
+  if (!zxx || !zxy) out.m31 = 0;
+  if (!zxx || !zyy) out.m22 = 0;
+  if (!zyy || !zxy) out.m13 = 0;
+  return out;
+}
+
 void SpectralMomentSums::add(const Strip& strip, double level, int threads) {
   if (strip.shortest_side() < 3) return;
   const NeighbourRows sides(strip, 1), curves(strip, 2);

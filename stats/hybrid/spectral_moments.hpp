@@ -50,6 +50,9 @@ struct SpectralMoments {
   /// The isotropic surface of the same m0 and geometric means √(m20 m02), √(m40 m04), the usual choice if x
   /// and y are the axes of the texture.
   ProfileSpectralMoments isotropic() const;
+  /// With derivatives of zero where differences of neighbours have at most this rms value [m], and second
+  /// differences four times of it.
+  SpectralMoments without_round_off(const Grid& grid, double difference) const;
 };
 
 /// The sums of a field that comes in strips, each but the last with a halo of two rows.

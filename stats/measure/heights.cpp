@@ -24,6 +24,7 @@ struct Heights {
   const EffectiveSampleSize& size;
   MomentErrors error;
   MomentIntervals interval;
+  std::string of_extremes = {};  ///< why they have no error; "" where twins may give one
 };
 
 template <auto value, auto error, auto interval>
@@ -32,7 +33,7 @@ Estimate moment(const Heights& h) {
 }
 template <auto value>
 Estimate extreme(const Heights& h) {
-  return {h.m.*value};
+  return {.value = h.m.*value, .why = h.of_extremes};
 }
 
 // The kurtosis of any distribution is 1 at least.
@@ -58,7 +59,8 @@ constexpr Definition<Heights> height_table[] = {
      moment<&Moments::sku, &MomentErrors::sku, &MomentIntervals::sku>},
     {"Sp", of_field, "maximum peak height of the whole field", extreme<&Moments::sp>},
     {"Sv", of_field, "maximum pit depth of the whole field", extreme<&Moments::sv>},
-    {"Sz", of_field, "maximum height Sp + Sv", [](const Heights& h) { return Estimate{h.m.sz()}; }},
+    {"Sz", of_field, "maximum height Sp + Sv",
+     [](const Heights& h) { return Estimate{.value = h.m.sz(), .why = h.of_extremes}; }},
     {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.size.points()}; }}};
 
 // For the distribution that the field was drawn with or evidently has; none for a Gaussian's.
@@ -173,7 +175,12 @@ constexpr Definition<GoodnessOfFit> test_table[] = {
 
 Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
   ParameterList out(sample.surface().units);
-  out.add(height_table, heights_of(sample));
+  Heights heights = heights_of(sample);
+  if (sample.size().gives_errors() && !sample.surface().distribution && sample.distribution())
+    heights.of_extremes =
+        "no standard error: the extremes of heights that are not Gaussian lie in tails that the field tells "
+        "little of";
+  out.add(height_table, heights);
   add_sizes(out, sample);
   if (!sample.basis().pairs.complete())
     out.add("N_missing", "1", "number of missing points, left out of all parameters",

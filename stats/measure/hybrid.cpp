@@ -30,6 +30,9 @@ Had<Value> had(const Sample& sample, Value (Sample::*compute)() const) try {
   return {.why = error.what()};
 }
 
+// What a parameter is a function of.
+enum class Rests { on_slopes, on_curvatures };
+
 // A function of derivatives: its value, and its error by what it is a function of.
 struct Differentiated {
   const Derivatives& values;
@@ -38,8 +41,14 @@ struct Differentiated {
   double angle = 0;  // of profiles
 
   // `least` bounds the parameter.
-  Estimate operator()(const DerivativeErrors::Function& parameter, double least = 0) const {
-    const double value = parameter(values), error = errors ? (*errors)(parameter) : unknown;
+  Estimate operator()(const DerivativeErrors::Function& parameter, Rests on, double least = 0) const {
+    const double value = parameter(values);
+    if (!errors || !std::isfinite(value)) return {value};
+    if (const std::string few =
+            on == Rests::on_slopes ? errors->too_few_slopes() : errors->too_few_curvatures();
+        !few.empty())
+      return {.value = value, .why = few};
+    const double error = (*errors)(parameter);
     constexpr double round_off = 1e-12;
     if (!(error > round_off * value && value > 0)) return {value};
     const double t = student_quantile(0.025, errors->degrees());
@@ -52,12 +61,13 @@ struct Differentiated {
 
 template <auto figure>
 Estimate slope(const Differentiated& of) {
-  return of([](const Derivatives& d) { return std::invoke(figure, d.slopes); });
+  return of([](const Derivatives& d) { return std::invoke(figure, d.slopes); }, Rests::on_slopes);
 }
 // Of the profile moments at the angle; `least` bounds the parameter.
-template <auto figure, int least = 0>
+template <auto figure, Rests on = Rests::on_curvatures, int least = 0>
 Estimate profile(const Differentiated& of) {
-  return of([a = of.angle](const Derivatives& d) { return std::invoke(figure, d.moments.along(a)); }, least);
+  return of([a = of.angle](const Derivatives& d) { return std::invoke(figure, d.moments.along(a)); }, on,
+            least);
 }
 
 constexpr Definition<Differentiated> slope_table[] = {
@@ -66,19 +76,20 @@ constexpr Definition<Differentiated> slope_table[] = {
      slope<&SlopeParameters::sdr>}};
 
 constexpr Definition<Differentiated> moment_table[] = {
-    {"m2_{}", "1", "mean square slope {}", profile<&ProfileSpectralMoments::m2>},
+    {"m2_{}", "1", "mean square slope {}", profile<&ProfileSpectralMoments::m2, Rests::on_slopes>},
     {"m4_{}", "m-2", "mean square second derivative {}", profile<&ProfileSpectralMoments::m4>},
-    {"alpha_{}", "1", "bandwidth parameter m0 m4 / m2^2 {}", profile<&ProfileSpectralMoments::bandwidth, 1>}};
+    {"alpha_{}", "1", "bandwidth parameter m0 m4 / m2^2 {}",
+     profile<&ProfileSpectralMoments::bandwidth, Rests::on_curvatures, 1>}};
 
 // Of counted summits, or of those expected.
 template <auto figure>
 Estimate counted(const Differentiated& of) {
-  return of([](const Derivatives& d) { return std::invoke(figure, d.summits); });
+  return of([](const Derivatives& d) { return std::invoke(figure, d.summits); }, Rests::on_curvatures);
 }
 template <auto figure>
 Estimate expected(const Differentiated& of) {
-  return of(
-      [](const Derivatives& d) { return std::invoke(figure, expected_summits(d.moments.isotropic())); });
+  return of([](const Derivatives& d) { return std::invoke(figure, expected_summits(d.moments.isotropic())); },
+            Rests::on_curvatures);
 }
 
 constexpr Definition<Differentiated> summit_table[] = {
@@ -125,7 +136,8 @@ Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options
   ParameterList out(sample.surface().units);
   out.add(slope_table, {values, errors, taken}, {.why = slopes.why, .why_no_error = same});
   out.add("m0", "m2", "spectral moment of order 0, Sq squared",
-          moments.why.empty() ? square_of_sq(sample, options) : Estimate{unknown}, {.why = no_slope});
+          slopes.why.empty() ? square_of_sq(sample, options) : Estimate{unknown},
+          {.why = "no value, as slopes have none: " + slopes.why});
   auto add_profiles = [&](double angle, const std::string& name, const std::string& words) {
     out.add(moment_table, {values, errors, taken, angle}, {name, words, no_slope, same});
   };

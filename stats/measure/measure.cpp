@@ -47,15 +47,19 @@ void ParameterList::add(std::string_view symbol, std::string_view unit, std::str
                          .standard_error = estimate.standard_error,
                          .meaning = filled_in(meaning, words.meaning),
                          .interval = estimate.interval,
-                         .why = !std::isfinite(estimate.value)        ? words.why
+                         .why = !estimate.why.empty()                 ? estimate.why
+                                : !std::isfinite(estimate.value)      ? words.why
                                 : std::isnan(estimate.standard_error) ? words.why_no_error
                                                                       : ""});
 }
 
 Parameters ParameterList::with_known_errors(const EffectiveSampleSize& size) && {
   const std::string why = too_few(size);
+  auto has_none = [](const Parameter& p) {  // a count has no error, and a reason is reason enough
+    return !std::isfinite(p.value) || !p.why.empty() || p.name.starts_with("N");
+  };
   for (Parameter& parameter : parameters_)
-    if (!why.empty() && !std::isnan(parameter.standard_error))
+    if (!why.empty() && !(std::isnan(parameter.standard_error) && has_none(parameter)))
       parameter.standard_error = unknown, parameter.why = "no standard error can be given: " + why;
   return std::move(parameters_);
 }

@@ -20,6 +20,7 @@ struct Estimate {
   double value;
   double standard_error = unknown;
   std::optional<Interval> interval = {};
+  std::string why = {};  ///< why the value or its error is missing, where it is not why others are
 };
 
 struct Parameter {

@@ -71,6 +71,23 @@ Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int
   surface_.largest = reader.largest();
 }
 
+double Sample::round_off() const {
+  return round_off_of(std::max({surface_.largest, moments().sp, moments().sv}));
+}
+
+SpectralMoments Sample::spectral_moments() const {
+  return sums_.derivatives.spectral.moments(grid()).without_round_off(grid(), round_off());
+}
+
+CountedSummits Sample::summits() const {
+  const CountedSummits counted = sums_.derivatives.summits.summits(grid());
+  const SpectralMoments m = spectral_moments();
+  if (m.m20 > 0 && m.m02 > 0) return counted;
+  CountedSummits none;
+  none.density = 0;
+  return none;
+}
+
 std::optional<Translation> Sample::distribution() const {
   return surface_.distribution ? surface_.distribution
                                : evident_translation(moments(), standard_errors(moments(), size_));
@@ -143,8 +160,7 @@ std::array<GoodnessOfFit, 4> Sample::goodness_of_fit() const {
 }
 
 ProfileAverages Sample::profiles(Axis1D along, double section) const {
-  const double largest = std::max({surface_.largest, moments().sp, moments().sv});
-  ProfileSums sums(grid(), along, section, round_off_of(largest));
+  ProfileSums sums(grid(), along, section, round_off());
   if (!reader_)
     sums.add(surface_.heights);
   else if (along == Axis1D::y)

@@ -61,8 +61,10 @@ class Sample {
   bool correlation_reaches_beyond() const { return sums_.reaches_beyond; }
 
   SlopeParameters slopes() const { return sums_.derivatives.slopes.parameters(grid()); }
-  SpectralMoments spectral_moments() const { return sums_.derivatives.spectral.moments(grid()); }
-  CountedSummits summits() const { return sums_.derivatives.summits.summits(grid()); }
+  /// Zero where derivatives are the round-off of the heights, as those along grooves.
+  SpectralMoments spectral_moments() const;
+  /// None of a surface without slopes in x or in y: beside it all is round-off.
+  CountedSummits summits() const;
   /// The distribution that the field was drawn with or evidently has; none if that is a Gaussian's.
   std::optional<Translation> distribution() const;
   /// Whether the errors of moments follow from the correlation: where it is known, and Σ ρ > 0.
@@ -88,6 +90,8 @@ class Sample {
   ProfileAverages profiles(Axis1D along, double section) const;
 
  private:
+  /// What subtraction may leave of neighbours that are equal.
+  double round_off() const;
   bool taken_from_waves() const { return errors_ && !correlation_gives_errors(); }
   const std::vector<HeightBin>& bins() const;
   template <class Sums>

@@ -76,6 +76,10 @@ std::string rounded(double independent) { return shortest(std::round(10 * indepe
 
 std::string too_few(const EffectiveSampleSize& size) {
   if (size.gives_errors()) return "";
+  if (size.effective(2) >= size.least_effective())
+    return "the form of degree " + std::to_string(size.form().degree()) +
+           " has taken too large a share of the heights to tell what it took: its " +
+           shortest(size.form().count()) + " modes beside N_eff = " + rounded(size.effective(2));
   return "N_eff = " + rounded(size.effective(2)) + " is below " + shortest(size.least_effective());
 }
 

@@ -73,7 +73,7 @@ ErrorBasis error_basis(const Surface& surface, int threads = 1);
 
 /// A number of independent heights or profiles, rounded to a tenth.
 std::string rounded(double independent);
-/// Why errors cannot be given, "N_eff = 3.2 is below 5"; "" where they can.
+/// Why errors cannot be given, "N_eff = 3.2 is below 5" or a form that took too much; "" where they can.
 std::string too_few(const EffectiveSampleSize& size);
 
 }  // namespace asperity

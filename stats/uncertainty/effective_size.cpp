@@ -10,6 +10,10 @@ namespace {
 // of an exponential one 35 and 17.
 constexpr double lost_of_first = 15, lost_of_second = 10;
 
+// The share of the variance, and the modes for each independent height that is left, beyond which what a form
+// took cannot be told (form_modes.hpp).
+constexpr double most_taken = 0.5, most_modes = 1.0 / 3;
+
 // A lag of an estimate: weight as for_each_lag gives it, z_score = |ρ| √pairs/√N, of a noise of S_2 = 1.
 struct Candidate {
   Index p, q;
@@ -61,7 +65,8 @@ EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pair
       taken_ += form.count() / points_ * weight * modes(p, q) * rho(p, q);
     });
   }
-  taken_ = std::clamp(taken_, 0.0, 0.5);
+  form_leaves_enough_ = form.degree() == 0 || taken_ < most_taken;
+  taken_ = std::clamp(taken_, 0.0, most_taken);
 }
 
 EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs,
@@ -100,7 +105,9 @@ EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, c
   size.sums_ = CorrelationAlgebra(known, pairs).power_sums();
   size.sums_[1] = s1 * (1 + lost_of_first * (s2 / n));
   size.sums_[2] = s2 * (1 + lost_of_second * (s2 / n));
-  size.taken_ = std::min(taken * (1 + lost_of_first * (s2 / n)), 0.5);
+  size.taken_ = std::min(taken * (1 + lost_of_first * (s2 / n)), most_taken);
+  size.form_leaves_enough_ =
+      form.degree() == 0 || (size.taken_ < most_taken && form.count() <= most_modes * size.effective(2));
   size.degrees_ = size.effective(2) / 8;
   return size;
 }

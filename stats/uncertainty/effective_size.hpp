@@ -79,13 +79,16 @@ class EffectiveSampleSize {
   double effective(int k) const { return points_ / sum(k); }              ///< N/S_k; infinite if S_k = 0
   double mean_power(int k) const { return sum(k) / points_; }  ///< S_k/N, the mean of ρᵏ over all pairs
   double taken_by_form() const { return taken_; }              ///< w
+  const FormModes& form() const { return form_; }
   /// (ρ + b B)/(1 + b) of an estimate, without what the form took.
   LagField freed(const LagField& rho) const;
   double degrees() const { return degrees_; }  ///< of freedom of the errors; infinite for a known correlation
   double patches() const { return points_ / (1 + (sum(2) - 1) / (correlated_ * correlated_)); }  ///< (8)
   /// Least N/S_2 for which errors are given: 5, or 10 for an estimate. Up to twice of it they are rough.
   double least_effective() const { return std::isinf(degrees_) ? 5 : 10; }
-  bool gives_errors() const { return effective(2) >= least_effective(); }
+  /// Whether the form left enough to tell what it took: form_modes.hpp.
+  bool form_leaves_enough() const { return form_leaves_enough_; }
+  bool gives_errors() const { return effective(2) >= least_effective() && form_leaves_enough_; }
   /// (1) for weights w(k) = c_k²/k!, k ≥ 1, that add up to `total`; beyond `powers` with the last sum.
   double variance_of_mean(const std::function<double(int)>& weight, double total) const;
 
@@ -98,6 +101,7 @@ class EffectiveSampleSize {
   double correlated_ = 1;  // ρ_0
   std::array<double, powers + 1> sums_ = {};
   double taken_;
+  bool form_leaves_enough_ = true;
 };
 
 /// The normalised estimate, zero at lags that do not exceed its noise.

@@ -28,6 +28,11 @@
 ///           the mean cover 88 to 98 % (80 to 90 % with modes of the square), of Sq 92 to 96 %; on a disc,
 ///           N_eff 220 to 820, degree 4, 85 to 99 % and 91 to 97 % (69 to 76 % and 64 to 90 % of four
 ///           of them): ten textures, validation/error_coverage.
+///           Of 16 fields of 64 × 64 points with a Gaussian correlation of 4 samples, degree 2, 4, 6, 8, 12,
+///           20, M/N_eff of what is left is 0.03, 0.08, 0.14, 0.20, 0.32, 0.52, and intervals of Sq cover all
+///           but at degree 20, where they cover none: there the modes beyond the form hold next to nothing,
+///           and tell nothing of it. Of 8 fields of 24 × 24 points, 3 samples, degree 8, it is 0.40, and 6
+///           are covered. Above M/N_eff = 1/3, or w = 1/2, no errors are given.
 /// Cost      nothing for the mean; of a complete field d+1 pairs of transforms of either side and d products
 ///           a lag; of others 2M transforms of twice the sides.
 #pragma once

@@ -114,6 +114,7 @@ class LocalMeans {
   /// Standard error of g; NaN if g is not a number beside the means, 0 if it does not vary.
   double error(const Function& g) const;
   double degrees() const { return long_waves_.degrees(waves_.cols()); }  ///< of freedom, (5)
+  Index waves() const { return waves_.cols(); }                          ///< K
 
  private:
   friend class LocalSums;

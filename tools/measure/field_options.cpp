@@ -45,8 +45,8 @@ void FieldOptions::declare_field(Tool& tool) {
   tool.parsed("--remove-form", form_kind, "Form to subtract first: " + form_words, "Field", "mean",
               into(asked.form, parse_form));
   tool.parsed("--lambda-s", cutoff_kind,
-              "Cut-off of the S-filter, which removes shorter waves; below --lambda-c. " + filter_words, "Field",
-              "", into(asked.shorter, parse_cutoff));
+              "Cut-off of the S-filter, which removes shorter waves; below --lambda-c. " + filter_words,
+              "Field", "", into(asked.shorter, parse_cutoff));
   tool.parsed("--lambda-c", cutoff_kind,
               "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field. "
               "FILTER as of --lambda-s",
@@ -130,6 +130,9 @@ void ResultOption::check(Tool& tool) const {
 
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
   const double least = size.least_effective();
+  if (!size.form_leaves_enough() && size.effective(2) >= least)
+    return tool.warn("standard errors and intervals cannot be given: " + too_few(size) +
+                     "; remove a form of lower degree");
   if (size.effective(2) >= 2 * least) return;
   tool.warn("the surface is worth N_eff = " + rounded(size.effective(2)) +
             " independent points: standard errors and intervals " +
