@@ -44,6 +44,17 @@ Index stride_of(const std::string& variable, const Field& values) {
   return (std::max(nx, ny) + most_points - 1) / most_points;
 }
 
+// A patch is drawn where four neighbouring points are there.
+void require_a_cell(const std::string& variable, const Field& values) {
+  const auto there = values.isFinite().cast<int>().eval();
+  const Index nx = values.rows() - 1, ny = values.cols() - 1;
+  const auto pairs = (there.topRows(nx) * there.bottomRows(nx)).eval();
+  if ((pairs.leftCols(ny) * pairs.rightCols(ny)).maxCoeff() == 0)
+    throw DataError(variable,
+                    "a perspective view needs four neighbouring points, and no such four are all "
+                    "there: draw a map");
+}
+
 // Multiples of the step; if only one fits, the midpoints between multiples, so that the axis has two numbers.
 // Their places are in plotted units.
 Tics height_tics(Range values, double step, double scale, const Unit& unit) {
@@ -80,7 +91,10 @@ Relief relief_of(const Cases& cases, const Request& request) {
   Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
   for (const Patch& p : out.patches) out.stride = std::max(out.stride, stride_of(variable, p.values));
   out.values = value_range(request, out.quantity.unit, range_of(out.patches));
-  for (Patch& p : out.patches) p = thinned(p, out.stride);
+  for (Patch& p : out.patches) {
+    p = thinned(p, out.stride);
+    require_a_cell(variable, p.values);
+  }
   if (!(drawable(out.values) == out.values)) {  // one value everywhere: a plane amid some room
     const double room = out.values.magnitude() > 0 ? out.values.magnitude() : 1;
     out.values = {out.values.low - room, out.values.high + room};
