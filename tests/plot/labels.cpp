@@ -182,6 +182,9 @@ TEST_CASE("values that differ little are coloured from their mean, which the bar
       CHECK_THAT(words, ContainsSubstring("height from 8.99 to 9.01 µm\n"));
       continue;
     }
+    REQUIRE(shell("asperity-plot level.nc --kind surface -o seen.svg").exit == 0);
+    CHECK_THAT(words_of("seen.svg"),
+               ContainsSubstring(level < 0 ? "height + 2.3456 mm [nm]" : "height − 2.3456 mm [nm]"));
     const std::string named = level < 0 ? "above −2.3456 mm" : "above 2.3456 mm";
     CHECK_THAT(words, ContainsSubstring("height from −10 to 10 nm " + named + "\n") &&
                           ContainsSubstring("height " + named + " [nm]\n"));

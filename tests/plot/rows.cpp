@@ -1,4 +1,6 @@
 // Figures of surfaces of one row or one point.
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "dataset/layout.hpp"
@@ -104,7 +106,10 @@ TEST_CASE("a picture in which nothing would be drawn is refused, with what to do
   auto refused = [&](const Field& heights, const std::string& kind, const std::string& words) {
     Dataset data;
     set_grid(data, {shape, 1e-6, 1e-6});
-    set_field(data, "heights", heights, {"m", "height"});
+    set_field(data, "heights", heights.isFinite().select(heights, 0), {"m", "height"});
+    std::vector<std::int8_t> mask;
+    for (const double z : heights.reshaped<Eigen::RowMajor>()) mask.push_back(std::isnan(z) ? 1 : 0);
+    set_flags(data, "mask", mask, "missing points", "measured missing");
     write_dataset(data, "holes.nc");
     const Outcome run = shell("asperity-plot holes.nc -o a.svg --kind " + kind);
     CAPTURE(kind, run.error);

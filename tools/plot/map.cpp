@@ -1,6 +1,5 @@
 // Fields seen from above, with equal scales on both axes.
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "tools/plot/layout.hpp"
@@ -8,8 +7,6 @@
 
 namespace asperity::plot {
 namespace {
-
-constexpr double least_spread = 1e-3;  // of the level
 
 // The lightness differs too, L* 94, 62, 34, so that the states differ in grey print.
 constexpr struct {
@@ -45,37 +42,12 @@ bool are_rows(const Cases& cases, const std::string& variable) {
          std::ranges::all_of(cases, [&](const Case& c) { return row(c, "y"); });
 }
 
-// Values that differ little are measured from their mean, rounded to a tenth of their range: on the level
-// itself they would need many digits.
-struct Level {
-  double value = 0;
-  std::string words = {};  ///< " above 2.3456 mm"; "" where the level is zero
-};
-Level level_of(const std::vector<Patch>& patches, Range asked, const Quantity& quantity) {
-  const Range shown = united(asked, range_of(patches));
-  if (!(shown.width() < least_spread * shown.magnitude())) return {};
-  double sum = 0, count = 0;
-  for (const Patch& p : patches) {
-    const auto there = p.values.isFinite();
-    sum += there.select(p.values - shown.low, 0).sum();  // of small numbers, without loss
-    count += static_cast<double>(there.count());
-  }
-  const double mean = shown.low + sum / count;
-  const Unit unit = unit_for(std::abs(mean), quantity.unit);
-  const int digits =
-      std::min(15, 1 + static_cast<int>(std::ceil(std::log10(std::abs(mean) / shown.width()))));
-  const std::string number = fmt::format("{:.{}g}", std::abs(mean) / unit.factor, digits);
-  return {
-      std::copysign(std::stod(number) * unit.factor, mean),
-      fmt::format(" above {}{}{}{}", mean < 0 ? "−" : "", number, unit.name.empty() ? "" : " ", unit.name)};
-}
-
 // The title of a single field gives its range in numbers.
 std::string range_in_words(const Patch& patch, const Quantity& quantity, const Level& level) {
   const Range range = range_of(patch.values);
   const Unit unit = unit_for(range.magnitude(), quantity.unit);
   return fmt::format("{} from {} to {} {}{}", quantity.name, brief(range.low / unit.factor),
-                     brief(range.high / unit.factor), unit.name, level.words);
+                     brief(range.high / unit.factor), unit.name, level.words());
 }
 
 std::string shares_in_words(const Field& found) {
@@ -100,7 +72,7 @@ Figure map(const Cases& cases, const Request& request) {
   Figure out = plan_view(cases, patches, value.factor, request);
   if (!out.comparison) out.title = range_in_words(patches[0], quantity, level);
   out.right = 7.6;
-  out.colours = {colours, value, quantity.name + level.words};
+  out.colours = {colours, value, quantity.name + level.words()};
   return out;
 }
 
