@@ -41,8 +41,8 @@ double reach(const Patch& patch);
 /// The positions of its cells in these units.
 Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y, bool in_space = false);
 
-/// What values that differ by less than 1e-3 of their size are measured from, lest they need many digits: their
-/// mean, rounded to a tenth of their range; 0 for others.
+/// What values that differ by less than 1e-3 of their size are measured from, lest they need many digits:
+/// their mean, rounded to a tenth of their range; 0 for others.
 struct Level {
   double value = 0;
   std::string number = {};  ///< "2.3456 mm", its size
