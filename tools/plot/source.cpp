@@ -86,7 +86,8 @@ std::string Level::difference() const {
 
 Level level_of(const std::vector<Patch>& patches, Range asked, const Quantity& quantity) {
   const Range shown = united(asked, range_of(patches));
-  if (!(shown.width() < least_spread * shown.magnitude())) return {};
+  const bool one_value = !(drawable(shown) == shown);
+  if (one_value || !(shown.width() < least_spread * shown.magnitude())) return {};
   double sum = 0, count = 0;
   for (const Patch& p : patches) {
     const auto there = p.values.isFinite();
