@@ -166,3 +166,43 @@ TEST_CASE(
     CHECK_THAT(part.error, ContainsSubstring("pressure: only the cells that are in contact have one"));
   }
 }
+
+// The curve of a column is orange; the legend said "along x" in blue.
+TEST_CASE("the legend of spectra names the profiles that are drawn, in their colours", "[plot][contract]") {
+  for (const Shape shape : {Shape{1, 128}, Shape{128, 1}, Shape{32, 32}}) {
+    Dataset data;
+    set_grid(data, {shape, 1e-6, 1e-6});
+    set_field(data, "heights", 1e-6 * random_field(shape, 1), {"m", "height"});
+    write_dataset(data, "row.nc");
+    const plot::Figure figure = plot::psd(case_of("row.nc"), svg());
+    auto colour_of = [&](const std::string& name) -> std::string {
+      for (const plot::LegendEntry& e : figure.legend)
+        if (e.name.ends_with(name)) return e.colour;
+      return "none";
+    };
+    CAPTURE(shape.nx, shape.ny);
+    CHECK(colour_of("along x") == (shape.nx > 1 ? plot::line_colour(0) : "none"));
+    CHECK(colour_of("along y") == (shape.ny > 1 ? plot::line_colour(1) : "none"));
+    for (const std::string& colour : {colour_of("along x"), colour_of("along y")})
+      if (colour != "none") CHECK(!layers_with(figure.panels.back(), colour).empty());
+  }
+}
+
+// Both curves are drawn about the mean, under the plain name of the quantity; voltages were called heights.
+TEST_CASE("curves about the mean say so, and call heights only what is one", "[plot][contract]") {
+  Dataset data;
+  set_grid(data, {{32, 32}, 1e-6, 1e-6});
+  set_field(data, "heights", 5e-6 + 1e-6 * random_field({32, 32}, 1), {"m", "height"});
+  set_field(data, "potential", 5 + random_field({32, 32}, 2), {"V", "potential"});
+  write_dataset(data, "volts.nc");
+  for (auto* kind : {plot::abbott, plot::qq}) {
+    const plot::Figure heights = kind(case_of("volts.nc"), svg());
+    CHECK(heights.panels[0].y->label == "height above the mean [µm]");
+    CHECK(heights.legend[0].name.starts_with("heights"));
+    plot::Request request = svg();
+    request.variable = "potential";
+    const plot::Figure volts = kind(case_of("volts.nc"), request);
+    CHECK(volts.panels[0].y->label == "potential above the mean [V]");
+    CHECK(volts.legend[0].name.starts_with("values"));
+  }
+}

@@ -1,7 +1,9 @@
 // Texts of a picture stand clear of each other, and say what is stretched.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "plot/pictures.hpp"
 #include "tools/plot/layout.hpp"
@@ -128,12 +130,63 @@ TEST_CASE("an axis that is stretched says by how much, beside the other axis", "
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm]\n"));
   // Of several maps with different sides each says its own.
   REQUIRE(shell("asperity-plot square.nc long.nc --kind map --columns 1 --labels a,b -o a.svg").exit == 0);
-  CHECK_THAT(words_of("a.svg"), ContainsSubstring("\nx [µm], y × 15\n") && ContainsSubstring("\na\n"));
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("\nx [mm], y × 15\n") && ContainsSubstring("\na\n"));
   REQUIRE(shell("asperity-plot long.nc square.nc --kind map --columns 1 --labels a,b -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"),
-             ContainsSubstring("\na, y × 2.4\n") && ContainsSubstring("\nx [mm], x × 6.25\n"));
+             ContainsSubstring("\nx [mm], y × 2.4\n") && ContainsSubstring("\nx [µm], x × 6.25\n"));
   REQUIRE(test::plot("--kind von-mises --depth-range 0um,10um --title mine -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm], depth × 14.4\n"));  // 0.25 · 575 µm / 10 µm
   REQUIRE(shell("asperity-plot square.nc --kind surface --title mine -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("height [nm] × 200\n"));
+}
+
+// Panels of other sizes had neither numbers nor a unit, and were read on the scale of their neighbour.
+TEST_CASE("panels borrow the numbers of a neighbour only where their ranges and units are the same",
+          "[plot][law]") {
+  write_map("square.nc", {50, 50}, 2e-5, 2e-5);
+  write_map("wide.nc", {50, 25}, 4e-5, 4e-5);  // 2 mm x 1 mm
+  write_map("again.nc", {100, 100}, 1e-5, 1e-5);
+  write_map("km.nc", {50, 50}, 20, 20);
+  auto axes = [](const std::string& files, const char* columns) {
+    REQUIRE(shell("asperity-plot --kind map " + files + " --columns " + columns + " -o own.svg").exit == 0);
+    check_apart("own.svg");
+    std::vector<std::string> out;
+    std::istringstream words(words_of("own.svg"));
+    for (std::string line; std::getline(words, line);)
+      if (line.starts_with("x [") || line.starts_with("y [")) out.push_back(line);
+    std::ranges::sort(out);
+    return out;
+  };
+  using Words = std::vector<std::string>;
+  CHECK(axes("square.nc again.nc --labels a,b", "2") == Words{"x [µm]", "x [µm]", "y [µm]"});
+  CHECK(axes("square.nc again.nc --labels a,b", "1") == Words{"x [µm]", "y [µm]", "y [µm]"});
+  CHECK(axes("square.nc km.nc --labels a,b", "2") == Words{"x [m]", "x [µm]", "y [m]", "y [µm]"});
+  CHECK(axes("square.nc km.nc --labels a,b", "1") == Words{"x [m]", "x [µm]", "y [m]", "y [µm]"});
+  CHECK(axes("wide.nc square.nc again.nc wide.nc --labels a,b,c,d", "2").size() == 8);
+}
+
+// 2.3456 mm ± 10 nm: the bar had numbers of eight digits, and the title said from 2.35 to 2.35 mm.
+TEST_CASE("values that differ little are coloured from their mean, which the bar and the title name",
+          "[plot][contract]") {
+  for (const double level : {2.3456e-3, -2.3456e-3, 9e-6}) {
+    Dataset data;
+    set_grid(data, {{40, 40}, 1e-6, 1e-6});
+    const Field wave = Field::NullaryExpr(
+        40, 40, [](Index i, Index) { return 1e-8 * std::sin(static_cast<double>(i) * 0.05 * 3.14159265); });
+    set_field(data, "heights", level + wave, {"m", "height"});
+    write_dataset(data, "level.nc");
+    REQUIRE(shell("asperity-plot level.nc --kind map -o level.svg").exit == 0);
+    check_apart("level.svg");
+    const std::string words = words_of("level.svg");
+    if (level == 9e-6) {  // 2e-8 / 9e-6 is more than 1e-3
+      CHECK_THAT(words, ContainsSubstring("height from 8.99 to 9.01 µm\n"));
+      continue;
+    }
+    REQUIRE(shell("asperity-plot level.nc --kind surface -o seen.svg").exit == 0);
+    CHECK_THAT(words_of("seen.svg"),
+               ContainsSubstring(level < 0 ? "height + 2.3456 mm [nm]" : "height − 2.3456 mm [nm]"));
+    const std::string named = level < 0 ? "above −2.3456 mm" : "above 2.3456 mm";
+    CHECK_THAT(words, ContainsSubstring("height from −10 to 10 nm " + named + "\n") &&
+                          ContainsSubstring("height " + named + " [nm]\n"));
+  }
 }

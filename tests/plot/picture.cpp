@@ -74,9 +74,9 @@ TEST_CASE("every kind draws an SVG whose axes carry their units", "[plot][contra
                             {"density [1/µm]", "Gaussian"},
                             {"elastic", "at the limit"},
                             {"depth z [µm]", "von Mises [GPa]"},
-                            {"height [nm]", "material ratio [%]"},
+                            {"height above the mean [nm]", "material ratio [%]"},
                             {"wave number [rad/mm]", "PSD of profiles [µm³]"},
-                            {"height [nm]", "normal quantile"},
+                            {"height above the mean [nm]", "normal quantile"},
                             {"depth z [µm]", "largest von Mises [GPa]"}};
   for (std::size_t k = 0; k < std::size(kinds); ++k) {
     CAPTURE(kinds[k]);

@@ -1,4 +1,8 @@
 // Figures of surfaces of one row or one point.
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 #include "dataset/layout.hpp"
 #include "support.hpp"
 #include "tools/files.hpp"
@@ -92,4 +96,33 @@ TEST_CASE("of a single point maps are drawn, and profiles and sections refused b
     CHECK((no.exit == 4 && lines(no.error) == 1));
     CHECK(no.error.find("needs at least two points, found 1") != no.error.npos);
   }
+}
+
+// Where no two points are neighbours, axes without a curve were drawn.
+TEST_CASE("a picture in which nothing would be drawn is refused, with what to do", "[plot][contract]") {
+  const Shape shape{32, 32};
+  const double missing = std::numeric_limits<double>::quiet_NaN();
+  const Field whole = 1e-6 * random_field(shape, 1);
+  auto refused = [&](const Field& heights, const std::string& kind, const std::string& words) {
+    Dataset data;
+    set_grid(data, {shape, 1e-6, 1e-6});
+    set_field(data, "heights", heights.isFinite().select(heights, 0), {"m", "height"});
+    std::vector<std::int8_t> mask;
+    for (const double z : heights.reshaped<Eigen::RowMajor>()) mask.push_back(std::isnan(z) ? 1 : 0);
+    set_flags(data, "mask", mask, "missing points", "measured missing");
+    write_dataset(data, "holes.nc");
+    const Outcome run = shell("asperity-plot holes.nc -o a.svg --kind " + kind);
+    CAPTURE(kind, run.error);
+    CHECK((run.exit == 4 && lines(run.error) == 1));
+    CHECK(run.error.find(words) != run.error.npos);
+  };
+  Field row = Field::Constant(32, 32, missing), two = row, cut = whole;
+  row.col(7) = whole.col(7);
+  two(5, 7) = 1e-6, two(20, 9) = 2e-6;
+  cut.middleCols(15, 2) = missing;
+  refused(row, "surface", "heights: a perspective view needs four neighbouring points");
+  refused(two, "surface", "draw a map");
+  refused(cut, "profile", "no two neighbouring points are there at y =");
+  refused(two, "acf", "known at no two neighbouring lags");
+  CHECK(shell("asperity-plot holes.nc -o a.svg --kind map").exit == 0);
 }

@@ -137,12 +137,12 @@ Figure abbott(const Cases& cases, const Request& request) {
   Figure out = side_by_side(request, cases);
   if (!out.comparison) out.title = title_of(all[0].core, unit);
   const bool banded = std::ranges::any_of(all, [](const Bearing& b) { return b.band.rows() > 1; });
-  out.legend = {{line, "#0072b2", banded ? "heights, 95 % intervals" : "heights"},
+  out.legend = {{line, "#0072b2", in_plural(quantity) + (banded ? ", 95 % intervals" : "")},
                 {dashes, "black", "core line"}};
   out.right = out.gap_x = 4;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     out.panels[c].x = {{0, 100}, "material ratio [%]"};
-    out.panels[c].y = axis_of(heights, unit, quantity.name);
+    out.panels[c].y = axis_of(heights, unit, above_mean(quantity));
     out.panels[c].commands = lengths_of(all[c], unit.factor);
     if (!out.comparison) out.panels[c].commands.add(ratios_of(all[c]));
     out.panels[c].layers = layers_of(all[c], heights, unit.factor);

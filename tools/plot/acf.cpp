@@ -84,6 +84,12 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
   profiles.estimated = true;
 }
 
+bool drawable(const Curve& curve) {
+  for (std::size_t k = 1; k < curve.size(); ++k)
+    if (std::isfinite(curve[k - 1].rho) && std::isfinite(curve[k].rho)) return true;
+  return false;
+}
+
 Profiles profiles_of(const Case& c) {
   Profiles out;
   if (c.data.has("acf_target")) read_profiles(c.data, "acf_target", out.target, out.in_metres);
@@ -91,6 +97,11 @@ Profiles profiles_of(const Case& c) {
     estimate_profiles(c.data, out);
   else
     read_profiles(c.data, "acf_achieved", out.found, out.in_metres);
+  if (!drawable(out.found[0]) && !drawable(out.found[1]))
+    throw DataError(
+        out.estimated ? "heights" : "acf_achieved",
+        "the autocorrelation is known at no two neighbouring lags: measure a denser field, or draw "
+        "a map");
   return out;
 }
 

@@ -61,17 +61,16 @@ class Writer {
             "center");
   }
 
-  // In a comparison only the lowest panels label the x axis, and only the leftmost label the y axis.
   void x_axis(std::size_t panel, const Axis& x) {
-    const bool hidden = figure_.comparison && panel + at_.columns < figure_.panels.size();
+    const bool hidden = !labels_x(figure_, panel);
     axis("x", x, tics_along(x, at_.panel_width / em_), hidden);
     if (!hidden)
-      label(x.label, at_.x_of(panel) + 0.5 * at_.panel_width, at_.y_of(panel) - (figure_.bottom - 0.8) * em_,
-            "center");
+      label(x.label + x.note, at_.x_of(panel) + 0.5 * at_.panel_width,
+            at_.y_of(panel) - (figure_.bottom - 0.8) * em_, "center");
   }
 
   void y_axis(std::size_t panel, const Axis& y) {
-    const bool hidden = figure_.comparison && panel % at_.columns > 0;
+    const bool hidden = !labels_y(figure_, panel);
     axis("y", y, tics_across(y, at_.panel_height / em_), hidden);
     if (!hidden)
       label(y.label, at_.x_of(panel) - (at_.margin - 0.9) * em_, at_.y_of(panel) + 0.5 * at_.panel_height,

@@ -49,6 +49,7 @@ struct Axis {
   Range range;
   std::string label;
   bool downwards = false, logarithmic = false;
+  std::string note = {};  ///< after the label, of this panel alone: ", y × 6"
 };
 /// What of its range can be drawn.
 inline Range drawn(const Axis& axis) { return axis.logarithmic ? axis.range : drawable(axis.range); }
@@ -82,7 +83,7 @@ struct Figure {
   std::string title = {};  ///< used if the request has none
   std::vector<Panel> panels = {};
   std::size_t columns = 1;
-  bool comparison = false;  ///< one panel per case with its label; neighbours share axes
+  bool comparison = false;  ///< one panel per case with its label; neighbours share the labels of like axes
   bool in_space = false;    ///< seen in perspective
   double aspect = 0;        ///< height over width of a panel; 0: any
   double left = 5.2, right = 1.2, bottom = 4.0, top = 0.8;  ///< margins around the panels [em]

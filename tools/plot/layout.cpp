@@ -35,7 +35,10 @@ struct Room {
 Room room_for(const Figure& figure, double wide, double high) {
   Room out{figure.left, figure.right, figure.gap_x};
   Overhang most;
-  for (const Panel& p : figure.panels) {
+  bool within = false;  // numbers of y stand between panels
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) {
+    const Panel& p = figure.panels[k];
+    within = within || (k % figure.columns > 0 && p.y && labels_y(figure, k));
     if (p.y) out.left = std::max(out.left, beside_numbers + longest(tics_across(*p.y, high)));
     if (!p.x) continue;
     const auto [left, right] = overhang(*p.x, wide);
@@ -43,7 +46,23 @@ Room room_for(const Figure& figure, double wide, double high) {
   }
   out.right = std::max(out.right, most.right + 0.3);
   if (figure.columns > 1) out.gap = std::max(out.gap, most.left + most.right + between_numbers);
+  if (within) out.gap = std::max(out.gap, out.left + most.right + between_numbers);
   return out;
+}
+
+// Of the panels, with room for labels of x above other panels.
+double gap_below(const Figure& figure) {
+  for (std::size_t k = 0; k + figure.columns < figure.panels.size(); ++k)
+    if (figure.comparison && figure.panels[k].x && labels_x(figure, k))
+      return std::max(figure.gap_y, figure.bottom);
+  return figure.gap_y;
+}
+
+bool same(const std::optional<Axis>& a, const std::optional<Axis>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  const double slack = 1e-9 * a->range.width();  // of positions that are sums of spacings
+  return std::abs(a->range.low - b->range.low) <= slack && std::abs(a->range.high - b->range.high) <= slack &&
+         a->label == b->label && a->downwards == b->downwards && a->logarithmic == b->logarithmic;
 }
 
 // Fits panels into rows of this height.
@@ -61,7 +80,7 @@ void place_panels(Layout& out, const Figure& figure, const Request& request, con
                top = figure.top + (out.title.empty() ? 0 : title_height) +
                      line_of_legend * static_cast<double>(out.legend.size()) + above;
   const double em = out.em, n = static_cast<double>(out.columns), m = static_cast<double>(out.rows),
-               gap_x = room.gap * em, gap_y = (figure.gap_y + above) * em,
+               gap_x = room.gap * em, gap_y = (gap_below(figure) + above) * em,
                width = em_across(out.columns) * em, frame_x = (room.left + room.right) * em + (n - 1) * gap_x,
                frame_y = (figure.bottom + top) * em + (m - 1) * gap_y;
   const double aspect = figure.aspect > 0 ? figure.aspect : out.rows > 1 ? free_aspect_of_rows : free_aspect;
@@ -94,11 +113,21 @@ double length_of(const LegendLine& line) {
   return out;
 }
 
+bool labels_x(const Figure& figure, std::size_t panel) {
+  const std::size_t below = panel + figure.columns;
+  return !figure.comparison || below >= figure.panels.size() ||
+         !same(figure.panels[panel].x, figure.panels[below].x);
+}
+
+bool labels_y(const Figure& figure, std::size_t panel) {
+  return !figure.comparison || panel % figure.columns == 0 ||
+         !same(figure.panels[panel].y, figure.panels[panel - 1].y);
+}
+
 void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up) {
   Panel& of = figure.panels[panel];
-  const bool labelled = !figure.comparison || panel + figure.columns >= figure.panels.size();
-  (labelled ? of.x->label : of.label) += stretch_in_words(along, true_aspect / figure.aspect) +
-                                         stretch_in_words(up, figure.aspect / true_aspect);
+  (labels_x(figure, panel) ? of.x->note : of.label) += stretch_in_words(along, true_aspect / figure.aspect) +
+                                                       stretch_in_words(up, figure.aspect / true_aspect);
 }
 
 double bar_height(const Layout& layout) { return std::max(layout.panels_high, least_bar * layout.em); }

@@ -36,8 +36,13 @@ struct Layout {
 double bar_height(const Layout& layout);
 double bar_step(const Layout& layout, Range shown);
 
+/// Whether a panel has numbers and a label of its own: in a comparison it borrows those of x from the panel
+/// below and those of y from the panel on its left, if there is one with the same range and label.
+bool labels_x(const Figure& figure, std::size_t panel);
+bool labels_y(const Figure& figure, std::size_t panel);
+
 /// Says by how much an axis of a panel is longer than the scale of the other says: beside x, or above the
-/// panel where x has no label.
+/// panel where x has no label. The axes of all panels are there.
 void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up);
 
 /// Panels as large as the sheet allows; narrower and centred if they would be too high. Throws

@@ -13,18 +13,19 @@ constexpr struct {
   const char *colour, *name;
 } states[] = {{"#ecece6", "open"}, {"#4d9fd6", "elastic"}, {"#a3123a", "at the limit"}};
 
-// Values are divided by `unit`.
+// Values are divided by `unit`. Each panel has the unit of length that suits its size.
 Figure plan_view(const Cases& cases, const std::vector<Patch>& patches, double unit, const Request& request) {
-  const Unit length = unit_for(reach(patches[0]), "m");
   Figure out = side_by_side(request, cases);
   out.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = patches[c];
+    const Unit length = unit_for(reach(p), "m");
     out.panels[c].x = axis_of(p.x, length, "x");
-    tell_stretch(out, c, p.y.width() / p.x.width(), "x", "y");
     out.panels[c].y = axis_of(p.y, length, "y");
     out.panels[c].layers = {raster(p.values / unit, lattice_of(p, length, length), "with image")};
   }
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    tell_stretch(out, c, patches[c].y.width() / patches[c].x.width(), "x", "y");
   if (std::ranges::any_of(patches, [](const Patch& p) { return !p.values.isFinite().all(); }))
     show_missing(out);
   return out;
@@ -42,11 +43,11 @@ bool are_rows(const Cases& cases, const std::string& variable) {
 }
 
 // The title of a single field gives its range in numbers.
-std::string range_in_words(const Patch& patch, const Quantity& quantity) {
+std::string range_in_words(const Patch& patch, const Quantity& quantity, const Level& level) {
   const Range range = range_of(patch.values);
   const Unit unit = unit_for(range.magnitude(), quantity.unit);
-  return fmt::format("{} from {} to {} {}", quantity.name, brief(range.low / unit.factor),
-                     brief(range.high / unit.factor), unit.name);
+  return fmt::format("{} from {} to {} {}{}", quantity.name, brief(range.low / unit.factor),
+                     brief(range.high / unit.factor), unit.name, level.words());
 }
 
 std::string shares_in_words(const Field& found) {
@@ -61,14 +62,17 @@ std::string shares_in_words(const Field& found) {
 Figure map(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
   if (are_rows(cases, variable)) return profile(cases, request);
-  const std::vector<Patch> patches = patches_of(cases, variable, request);
+  std::vector<Patch> patches = patches_of(cases, variable, request);
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
-  const Colours colours = field_colours(patches, quantity, request);
+  Colours colours = field_colours(patches, quantity, request);
+  const Level level = level_of(patches, colours.range, quantity);
+  for (Patch& p : patches) p.values -= level.value;
+  colours.range = {colours.range.low - level.value, colours.range.high - level.value};
   const Unit value = unit_for(colours.range.magnitude(), quantity.unit);
   Figure out = plan_view(cases, patches, value.factor, request);
-  if (!out.comparison) out.title = range_in_words(patches[0], quantity);
+  if (!out.comparison) out.title = range_in_words(patches[0], quantity, level);
   out.right = 7.6;
-  out.colours = {colours, value, quantity.name};
+  out.colours = {colours, value, quantity.name + level.words()};
   return out;
 }
 

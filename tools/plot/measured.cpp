@@ -21,4 +21,8 @@ Sample measured_whole(const Case& c, const std::string& variable) {
   return measured(c, variable);
 }
 
+std::string above_mean(const Quantity& quantity) { return quantity.name + " above the mean"; }
+
+std::string in_plural(const Quantity& quantity) { return quantity.name == "height" ? "heights" : "values"; }
+
 }  // namespace asperity::plot

@@ -3,12 +3,16 @@
 #pragma once
 
 #include "stats/measure/sample.hpp"
-#include "tools/plot/figure.hpp"
+#include "tools/plot/source.hpp"
 
 namespace asperity::plot {
 
 Sample measured(const Case& c, const std::string& variable);
 /// The same of a whole field; throws DataError for a pressure and a gap, which a part of the cells has.
 Sample measured_whole(const Case& c, const std::string& variable);
+
+/// What is drawn, as its axis says: "height above the mean"; and as the legend does: "heights", or "values".
+std::string above_mean(const Quantity& quantity);
+std::string in_plural(const Quantity& quantity);
 
 }  // namespace asperity::plot

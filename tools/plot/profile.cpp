@@ -19,6 +19,12 @@ Field trace_of(const Case& c, const std::string& variable, const Section& sectio
   if (out.rows() < 2)
     throw DataError(variable,
                     fmt::format("a profile along {} needs at least two points, found 1", section.along()));
+  const auto there = out.col(1).isFinite().cast<int>().eval();
+  if ((there.head(there.size() - 1) * there.tail(there.size() - 1)).maxCoeff() == 0)
+    throw DataError(variable,
+                    fmt::format("no two neighbouring points are there at {}: give another --section, "
+                                "or draw a map",
+                                section.label()));
   return out;
 }
 

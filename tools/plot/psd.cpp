@@ -141,11 +141,19 @@ std::vector<LegendEntry> legend_of(const std::vector<Plane>& planes, const Cases
   std::vector<LegendEntry> out;
   if (cases.size() > 1) {
     for (std::size_t c = 0; c < cases.size(); ++c) out.push_back({line, line_colour(c), cases[c].label});
-    out.push_back({dashes, "black", "along y"});
+    if (std::ranges::any_of(planes.back().traces, &Trace::dashed))
+      out.push_back({dashes, "black", "along y"});
   } else {
-    out = {{line, line_colour(0), planes.size() > 1 ? "rings, profiles along x" : "along x"},
-           {line, line_colour(1), "along y"}};
-    if (planes.back().traces.size() < 2) out.pop_back();
+    auto drawn = [&](std::size_t colour) {
+      return std::ranges::find(planes.back().traces, colour, &Trace::colour) != planes.back().traces.end();
+    };
+    const bool rings = planes.size() > 1, along_x = drawn(0);
+    if (rings || along_x)
+      out.push_back({line, line_colour(0),
+                     !rings    ? "along x"
+                     : along_x ? "rings, profiles along x"
+                               : "rings"});
+    if (drawn(1)) out.push_back({line, line_colour(1), "along y"});
   }
   const auto without = [](const Trace& t) { return !std::ranges::all_of(t.points, known); };
   if (std::ranges::any_of(planes, [&](const Plane& p) { return std::ranges::any_of(p.traces, without); }))
@@ -165,7 +173,8 @@ Figure psd(const Cases& cases, const Request& request) {
     add_rings(rings, sample, c);
     add_profiles(profiles, sample, c, cases.size() > 1);
   }
-  std::erase_if(rings.traces, [](const Trace& t) { return t.points.empty(); });
+  for (Plane* plane : {&rings, &profiles})
+    std::erase_if(plane->traces, [](const Trace& t) { return t.points.empty(); });
   std::vector<Plane> planes;
   if (!rings.traces.empty()) planes.push_back(std::move(rings));
   planes.push_back(std::move(profiles));

@@ -71,11 +71,11 @@ Figure qq(const Cases& cases, const Request& request) {
   if (!out.comparison)
     out.title = known ? "N_eff = " + rounded(all[0].effective)
                       : "too few independent heights for a band, N_eff = " + rounded(all[0].effective);
-  out.legend = {{dot, "#10456b", quantity.name},
+  out.legend = {{dot, "#10456b", in_plural(quantity)},
                 {line, "#d55e00", known ? "Gaussian and 95 % band" : "Gaussian"}};
   for (std::size_t c = 0; c < cases.size(); ++c) {
     out.panels[c].x = {{-3, 3}, "normal quantile"};
-    out.panels[c].y = axis_of(heights, unit, quantity.name);
+    out.panels[c].y = axis_of(heights, unit, above_mean(quantity));
     out.panels[c].layers = layers_of(all[c], unit.factor);
   }
   return out;

@@ -229,10 +229,12 @@ Figure section(const Cases& cases, const Request& request) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.patches[c];
     out.panels[c].x = axis_of(p.x, along, cuts.sections[c].along());
-    tell_stretch(out, c, p.y.width() / p.x.width(), cuts.sections[c].along(), "depth");
     out.panels[c].y = axis_of(p.y, depth, "depth z");
     out.panels[c].y->downwards = true;
   }
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    tell_stretch(out, c, cuts.patches[c].y.width() / cuts.patches[c].x.width(), cuts.sections[c].along(),
+                 "depth");
   // At the numbers of the colour bar, which depend on the room that the axes leave.
   const double step = bar_step(layout_of(out, request), drawable(cuts.colours.range / value.factor));
   for (std::size_t c = 0; c < cases.size(); ++c) {

@@ -15,6 +15,8 @@
 namespace asperity::plot {
 namespace {
 
+constexpr double least_spread = 1e-3;  // of the level
+
 // The cells with centres in a range, and the outer edges of their area.
 struct Span {
   Index first, count;
@@ -72,6 +74,33 @@ Range range_of(const std::vector<Patch>& patches) {
   Range out{unlimited, -unlimited};
   for (const Patch& p : patches) out = united(out, range_of(p.values));
   return out;
+}
+
+std::string Level::words() const {
+  return number.empty() ? "" : fmt::format(" above {}{}", value < 0 ? "−" : "", number);
+}
+
+std::string Level::difference() const {
+  return number.empty() ? "" : fmt::format(" {} {}", value < 0 ? "+" : "−", number);
+}
+
+Level level_of(const std::vector<Patch>& patches, Range asked, const Quantity& quantity) {
+  const Range shown = united(asked, range_of(patches));
+  const bool one_value = !(drawable(shown) == shown);
+  if (one_value || !(shown.width() < least_spread * shown.magnitude())) return {};
+  double sum = 0, count = 0;
+  for (const Patch& p : patches) {
+    const auto there = p.values.isFinite();
+    sum += there.select(p.values - shown.low, 0).sum();  // of small numbers, without loss
+    count += static_cast<double>(there.count());
+  }
+  const double mean = shown.low + sum / count;
+  const Unit unit = unit_for(std::abs(mean), quantity.unit);
+  const int digits =
+      std::min(15, 1 + static_cast<int>(std::ceil(std::log10(std::abs(mean) / shown.width()))));
+  const std::string number = fmt::format("{:.{}g}", std::abs(mean) / unit.factor, digits);
+  return {std::copysign(std::stod(number) * unit.factor, mean),
+          number + (unit.name.empty() ? "" : " " + unit.name)};
 }
 
 Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y, bool in_space) {

@@ -41,6 +41,17 @@ double reach(const Patch& patch);
 /// The positions of its cells in these units.
 Lattice lattice_of(const Patch& patch, const Unit& x, const Unit& y, bool in_space = false);
 
+/// What values that differ by less than 1e-3 of their size are measured from, lest they need many digits:
+/// their mean, rounded to a tenth of their range; 0 for others.
+struct Level {
+  double value = 0;
+  std::string number = {};  ///< "2.3456 mm", its size
+
+  std::string words() const;       ///< " above 2.3456 mm", or nothing
+  std::string difference() const;  ///< " − 2.3456 mm", or nothing
+};
+Level level_of(const std::vector<Patch>& patches, Range asked, const Quantity& quantity);
+
 /// Where a straight section runs: along x at y = place, or along y at x = place.
 struct Section {
   bool along_x = true;

@@ -44,6 +44,17 @@ Index stride_of(const std::string& variable, const Field& values) {
   return (std::max(nx, ny) + most_points - 1) / most_points;
 }
 
+// A patch is drawn where four neighbouring points are there.
+void require_a_cell(const std::string& variable, const Field& values) {
+  const auto there = values.isFinite().cast<int>().eval();
+  const Index nx = values.rows() - 1, ny = values.cols() - 1;
+  const auto pairs = (there.topRows(nx) * there.bottomRows(nx)).eval();
+  if ((pairs.leftCols(ny) * pairs.rightCols(ny)).maxCoeff() == 0)
+    throw DataError(variable,
+                    "a perspective view needs four neighbouring points, and no such four are all "
+                    "there: draw a map");
+}
+
 // Multiples of the step; if only one fits, the midpoints between multiples, so that the axis has two numbers.
 // Their places are in plotted units.
 Tics height_tics(Range values, double step, double scale, const Unit& unit) {
@@ -62,6 +73,7 @@ Tics height_tics(Range values, double step, double scale, const Unit& unit) {
 struct Relief {
   std::vector<Patch> patches;
   Quantity quantity;
+  Level level = {};  ///< that the values are measured from
   Range values = {};
   Index stride = 1;
   double factor = 1;             ///< plotted metres per unit of the quantity: 1, 2 or 5 × 10ⁿ
@@ -70,7 +82,8 @@ struct Relief {
   double scale() const { return factor / length.factor; }  ///< plotted units per unit of the quantity
   /// With the factor of heights.
   std::string label() const {
-    return value.label(quantity.name) + (quantity.unit == "m" ? fmt::format(" × {:.6g}", factor) : "");
+    return value.label(quantity.name + level.difference()) +
+           (quantity.unit == "m" ? fmt::format(" × {:.6g}", factor) : "");
   }
 };
 
@@ -80,7 +93,13 @@ Relief relief_of(const Cases& cases, const Request& request) {
   Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
   for (const Patch& p : out.patches) out.stride = std::max(out.stride, stride_of(variable, p.values));
   out.values = value_range(request, out.quantity.unit, range_of(out.patches));
-  for (Patch& p : out.patches) p = thinned(p, out.stride);
+  out.level = level_of(out.patches, out.values, quantity);
+  out.values = {out.values.low - out.level.value, out.values.high - out.level.value};
+  for (Patch& p : out.patches) {
+    p = thinned(p, out.stride);
+    p.values -= out.level.value;
+    require_a_cell(variable, p.values);
+  }
   if (!(drawable(out.values) == out.values)) {  // one value everywhere: a plane amid some room
     const double room = out.values.magnitude() > 0 ? out.values.magnitude() : 1;
     out.values = {out.values.low - room, out.values.high + room};
@@ -194,6 +213,7 @@ Figure surface(const Cases& cases, const Request& request) {
   const Relief relief = relief_of(cases, request);
   const double scale = relief.scale();
   Colours colours = field_colours(relief.patches, relief.quantity, request);
+  if (!request.range.empty() || !relief.level.number.empty()) colours.range = relief.values;
   colours.range = {colours.range.low * scale, colours.range.high * scale};
   Figure out = side_by_side(request, cases);
   out.title = relief.quantity.name;
