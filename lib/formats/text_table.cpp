@@ -135,7 +135,8 @@ struct Search {
     const std::string& variable = asked.variable;
     if (!found || (refused && asked.head && first < found->first_line))
       throw DataError(variable, refused->fault->what);
-    if (doubtful && doubtful->columns != found->columns) throw DataError(variable, doubtful->fault->what);
+    if (doubtful && (doubtful->columns != found->columns || found->dialect.separator == Separator::blank))
+      throw DataError(variable, doubtful->fault->what);
     const Comma comma = found->dialect.comma;
     const bool thousands = comma == Comma::thousands || comma == Comma::decimal_and_points;
     if (thousands && (!found->proved || found->contradicted) && !told)
