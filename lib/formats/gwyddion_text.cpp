@@ -41,10 +41,11 @@ struct GwyddionHead {
   std::size_t lines = 0;
 };
 
-// Removes the lines that begin with # from the text.
+// Removes the comments that begin with # from the text.
 GwyddionHead take_head(std::string_view& text) {
   GwyddionHead out;
-  for (; text.starts_with('#'); ++out.lines) {
+  const auto first = [&] { return text.substr(0, text.find_first_of("\r\n")); };
+  for (; text.starts_with('#') && is_comment(first(), Separator::tab); ++out.lines) {
     const std::string_view line = take_line(text);
     const std::size_t colon = line.find(':');
     if (colon == line.npos) continue;

@@ -140,7 +140,8 @@ bool begins_like_number(std::string_view cell) {
 }
 
 // A line of as many cells as there are columns, or one that begins with a number and has another, might have
-// been meant as numbers, one of them misspelt; not so where a word stands for a coordinate, as in
+// been meant as numbers, one of them misspelt, and so may a single cell above one column that begins like a
+// number; not so where a word stands for a coordinate, as in
 // "Points;512".
 void check_line(const Table& table, const HeadLine& line, bool coordinate_first, bool quotes) {
   const auto cells = cells_of(line.text, table.dialect.separator, quotes);
@@ -159,7 +160,10 @@ void check_line(const Table& table, const HeadLine& line, bool coordinate_first,
   }
   const auto count = static_cast<Index>(cells.size());
   const bool of_numbers = finite > 1 && number_of(cells[0], table.dialect.comma);
-  if (!of_numbers && (count < 2 || (count != table.columns && count != table.columns + 1))) return;
+  const bool misspelt =
+      table.columns == 1 && count == 1 && begins_like_number(cells[0]) && !cells[0].starts_with("--");
+  if (!of_numbers && !misspelt && (count < 2 || (count != table.columns && count != table.columns + 1)))
+    return;
   const bool key = coordinate_first && is_word(cells[0]) && !number_of(cells[0], table.dialect.comma);
   const bool marks = same && words == count && !is_length(word);
   if (key || (label && !marks && numbers == 0)) return;
@@ -169,10 +173,11 @@ void check_line(const Table& table, const HeadLine& line, bool coordinate_first,
       line.number, quoted(word));
 }
 
-void check_head(const Table& table, const Columns& columns, bool quotes) {
+void check_head(const Table& table, const Columns& columns, const Reading& reading, bool quotes) {
   const bool coordinate_first = columns.points() && columns.of.back() != 0;
   for (const HeadLine& line : table.head)
-    if (!is_comment(line.text, table.dialect.separator)) check_line(table, line, coordinate_first, quotes);
+    if (!is_comment(line.text, table.dialect.separator, reading.missing))
+      check_line(table, line, coordinate_first, quotes);
 }
 
 Columns decided(const Table& table, const Labels& labels, const Reading& reading, bool bare) {
@@ -193,7 +198,7 @@ Columns decided(const Table& table, const Labels& labels, const Reading& reading
 
 Columns columns_of(const Table& table, const Reading& reading, bool quotes, bool bare) {
   const Columns out = decided(table, labels_of(table, quotes), reading, bare);
-  check_head(table, out, quotes);
+  check_head(table, out, reading, quotes);
   return out;
 }
 

@@ -35,11 +35,9 @@ std::string_view take_cell(std::string_view& line, Separator separator, bool quo
   return cell;
 }
 
-// The part of a line with cells; empty for a comment.
+// The part of a line with cells.
 std::string_view content_of(std::string_view line, Separator separator) {
-  const std::string_view content = trimmed(line);
-  if (is_comment(content, separator)) return {};
-  return separator == Separator::tab && line.find('\t') != line.npos ? line : content;
+  return separator == Separator::tab && line.find('\t') != line.npos ? line : trimmed(line);
 }
 
 std::string fault_of(std::string_view cell, bool map) {
@@ -64,11 +62,15 @@ class TableReader {
 
   Table read() {
     for (; !rest_.empty() && !table_.fault; ++line_) {
-      const std::string_view line = take_line(rest_), content = content_of(line, table_.dialect.separator);
-      if (!content.empty())
-        add(content);
-      else if (begins_ && !trimmed(line).empty())
-        keep(trimmed(line));
+      const std::string_view line = take_line(rest_), words = trimmed(line);
+      const Separator separator = table_.dialect.separator;
+      if (words.empty()) continue;
+      if (!is_comment(words, separator, asked_.missing))
+        add(content_of(line, separator));
+      else if (begins_)
+        keep(words);
+      else
+        check_comment(content_of(line, separator), words);
     }
     if (!table_.fault) finish();
     if (table_.fault) table_.values = {};
@@ -92,6 +94,30 @@ class TableReader {
     if (!asked_.head) return;
     if (table_.head.size() == most_head_lines) table_.head.erase(table_.head.begin());
     table_.head.push_back({line_, line});
+  }
+
+  // A cell that begins like a comment among numbers in all other columns may be a number that failed. What is
+  // a number behind the mark was taken out on purpose.
+  void check_comment(std::string_view line, std::string_view words) {
+    const auto cells = cells_of(line, table_.dialect.separator, asked_.quotes);
+    if (static_cast<Index>(cells.size()) != table_.columns) return;
+    std::string_view marked;
+    Index numbers = 0;
+    for (const std::string_view cell : cells) {
+      const auto value = number_of(cell, table_.dialect.comma);
+      const bool number = value || is_marked(cell, value);
+      numbers += number && cell.front() != '#';
+      if (number || cell.empty()) continue;
+      if (!marked.empty()) return;
+      marked = cell;
+    }
+    const bool hashes = words.size() > 2 && words.find_first_not_of('#') == words.npos;
+    if (marked.size() > 1 && number_of(marked.substr(1), table_.dialect.comma)) return;
+    if (numbers == 0 && !hashes) return;
+    fail(words.data(), fmt::format("{}: {} is a comment or a line of the table: remove it, or tell "
+                                   "asperity-convert if {} means a missing point (`missing`)",
+                                   here(), quoted(words), quoted(hashes ? words : marked)));
+    table_.doubtful = true;
   }
 
   // A line of words; what came before it had no number either.
@@ -155,7 +181,7 @@ class TableReader {
       fail(cell.data(), fmt::format("{}: {} is infinite", here(), quoted(cell)));
     } else {
       number_ |= std::isfinite(*value);
-      if (table_.dialect.comma == Comma::decimal_and_points) prove(cell);
+      if (std::isfinite(*value)) prove(cell);
       push(*value);
     }
   }
@@ -165,10 +191,15 @@ class TableReader {
            std::ranges::find(asked_.missing, cell) != asked_.missing.end();
   }
 
-  // "1.234,5" and "1.234.567" have no other meaning.
+  // "1.234,5" and "1.234.567" have no other meaning; "1234,5" has no mark between thousands.
   void prove(std::string_view cell) {
-    const std::size_t point = cell.find('.');
-    table_.proved |= point != cell.npos && cell.find_first_of(".,", point + 1) != cell.npos;
+    const Comma comma = table_.dialect.comma;
+    if (comma != Comma::thousands && comma != Comma::decimal_and_points) return;
+    const std::size_t mark = cell.find(comma == Comma::thousands ? ',' : '.');
+    table_.proved |= mark != cell.npos && cell.find_first_of(".,", mark + 1) != cell.npos;
+    const std::size_t digit = std::min(cell.find_first_of("0123456789.,"), cell.size());
+    const std::size_t end = std::min(cell.find_first_not_of("0123456789", digit), cell.size());
+    table_.contradicted |= end - digit > 3;
   }
 
   // The memory is that of the table expected from the first line.
@@ -216,9 +247,26 @@ char character_of(Separator separator) {
   return separator == Separator::tab ? '\t' : separator == Separator::comma ? ',' : ';';
 }
 
-bool is_comment(std::string_view line, Separator separator) {
-  return line.starts_with('#') || line.starts_with('%') ||
-         (line.starts_with(';') && separator != Separator::semicolon);
+bool is_comment(std::string_view line, Separator separator, const std::vector<std::string>& missing) {
+  const bool semicolon = line.starts_with(';') && separator != Separator::semicolon;
+  if (!line.starts_with('#') && !line.starts_with('%') && !semicolon) return false;
+  std::string_view rest = line;
+  const std::string_view first = take_cell(rest, separator, false);
+  const bool blank = separator == Separator::blank;
+  if (std::ranges::find(missing, first) != missing.end() && (first.size() > 1 || !blank)) return false;
+  const auto is_number = [](std::string_view cell) {
+    return number_of(cell) || number_of(cell, Comma::decimal_and_points);
+  };
+  if (first == "%") return blank || rest.data() == nullptr || !is_number(take_cell(rest, separator, false));
+  if (!number_of(first)) return true;
+  if (first.find_first_not_of('#') != first.npos) return false;
+  bool number = false;
+  for (; rest.data() != nullptr;) {
+    const std::string_view cell = take_cell(rest, separator, false);
+    if (!cell.empty() && !is_number(cell)) return true;
+    number |= !cell.empty() && cell.front() != '#';
+  }
+  return !number;
 }
 
 std::vector<std::string_view> cells_of(std::string_view line, Separator separator, bool quotes) {

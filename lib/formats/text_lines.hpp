@@ -3,7 +3,8 @@
 /// A line has cells. A cell that begins with a double quote ends at the next one, and separators in it
 /// separate nothing. Where words may stand above the numbers (Asked::head), the numbers begin with the first
 /// line in which every cell is a number or empty and at least one is a number; from there on, a cell that is
-/// neither is a fault. The lines above are kept, comments too.
+/// neither is a fault. The lines above are kept, comments too. Among the numbers, a comment with a number in
+/// every other column is a fault, unless its first cell is a number behind the mark.
 ///
 /// Cost      one pass; memory for one double per number.
 #pragma once
@@ -52,12 +53,14 @@ struct Table {
   std::vector<double> values;       ///< line by line
   Index lines = 0, columns = 0;     ///< columns of the first line
   bool holes = false;               ///< a cell is empty
-  bool proved = false;              ///< a number shows what its points mean: "1.234,5"
+  bool proved = false;              ///< a number shows marks between thousands: "1.234,5"
+  bool contradicted = false;        ///< a number has none where they would stand: "1512.5"
   std::vector<HeadLine> head = {};  ///< at most most_head_lines, the last ones
   std::size_t head_lines = 0;       ///< all of them, without comments
   std::size_t first_line = 0;       ///< of the numbers
   const char* begins = nullptr;     ///< the same in the text
   std::optional<Fault> fault = {};  ///< of the first line that does not fit the dialect
+  bool doubtful = false;            ///< the fault is a comment that may be a line of the table
 };
 
 inline constexpr std::size_t most_head_lines = 256;
@@ -66,8 +69,9 @@ Table read_table(std::string_view text, Dialect dialect, const Asked& asked);
 
 /// The cells of a line, without blanks and quotes around them.
 std::vector<std::string_view> cells_of(std::string_view line, Separator separator, bool quotes);
-/// Whether a line is a comment: it begins with # or %, or with ; if it is not the separator.
-bool is_comment(std::string_view line, Separator separator);
+/// Whether a line is a comment: it begins with # or %, or with ; if it is not the separator. Not so where its
+/// first cell is a missing point, of three or more # only beside a number, or % alone before a number.
+bool is_comment(std::string_view line, Separator separator, const std::vector<std::string>& missing = {});
 char character_of(Separator separator);
 
 }  // namespace asperity

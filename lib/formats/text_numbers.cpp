@@ -15,12 +15,14 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Words for a missing point, in any case.
 bool is_missing(std::string_view word) {
-  constexpr std::string_view words[] = {"nan",  "bad",       "n/a",     "na",     "#n/a",
-                                        "null", "no data",   "no_data", "nodata", "void",
-                                        "***",  "-nan(ind)", "1.#qnan", "-1.#ind"};
+  constexpr std::string_view words[] = {"nan",     "bad",     "n/a",    "na",      "#n/a",    "null",
+                                        "no data", "no_data", "nodata", "void",    "***",     "-nan(ind)",
+                                        "1.#qnan", "-1.#ind", "#nv",    "#div/0!", "#wert!",  "#value!",
+                                        "#ref!",   "#num!",   "#name?", "#null!",  "#bezug!", "#zahl!"};
   constexpr std::size_t longest = 9;
   if (word.size() > 1 && word.find_first_not_of('-') == word.npos) return true;
   if (word.size() > 1 && word.find_first_not_of('*') == word.npos) return true;
+  if (word.size() > 2 && word.find_first_not_of('#') == word.npos) return true;
   return word.size() <= longest && std::ranges::find(words, lower(word)) != std::end(words);
 }
 

@@ -1,8 +1,9 @@
 /// Numbers in text, in the spellings of instruments and programs.
 ///
 /// 1.5, 1.8823e-008, 1.0D-6, +2, −3 (U+2212), 1'234.5, 1 234,5 (U+00A0 and other blanks of typography between
-/// thousands). Missing points are `nan`, `bad`, `na`, `n/a`, `#N/A`, `null`, `void`, `nodata`, `no data` (any
-/// case), what Windows prints for NaN, and two or more hyphens or stars. The locale does not matter.
+/// thousands). Missing points are `nan`, `bad`, `na`, `n/a`, `null`, `void`, `nodata`, `no data`, the errors
+/// of spreadsheets in English and German as `#N/A`, `#NV`, `#DIV/0!` (any case), what Windows prints for NaN,
+/// two or more hyphens or stars, and three or more #. The locale does not matter.
 /// Separators: formats/text_table.hpp.
 #pragma once
 

@@ -104,7 +104,7 @@ bool alike(const Table& found, Dialect next, bool spaces) {
 
 // All ways to read a text that fit; of the others, the one whose fault is furthest on.
 struct Search {
-  std::optional<Table> found, refused;
+  std::optional<Table> found, refused, doubtful;
   std::size_t first = std::string::npos;  // line of a number in any of them
 
   // Of two ways, labels for all columns decide.
@@ -121,6 +121,7 @@ struct Search {
   void add(Table table, const Asked& asked) {
     if (table.first_line > 0) first = std::min(first, table.first_line);
     if (table.fault) {
+      if (table.doubtful && !doubtful) doubtful = table;
       if (further(table, refused)) refused = std::move(table);
     } else if (!found || found->first_line > table.first_line) {
       found = std::move(table);
@@ -134,10 +135,17 @@ struct Search {
     const std::string& variable = asked.variable;
     if (!found || (refused && asked.head && first < found->first_line))
       throw DataError(variable, refused->fault->what);
-    if (found->dialect.comma == Comma::decimal_and_points && !found->proved && !told)
-      throw DataError(variable,
-                      "the text is ambiguous: a point is a decimal mark beside decimal commas, or between "
-                      "thousands: write one decimal mark");
+    if (doubtful && (doubtful->columns != found->columns || found->dialect.separator == Separator::blank))
+      throw DataError(variable, doubtful->fault->what);
+    const Comma comma = found->dialect.comma;
+    const bool thousands = comma == Comma::thousands || comma == Comma::decimal_and_points;
+    if (thousands && (!found->proved || found->contradicted) && !told)
+      throw DataError(
+          variable,
+          fmt::format("the text is ambiguous: a {} is a decimal mark beside decimal {}, or between "
+                      "thousands: write one decimal mark, or give asperity-convert the `decimal` mark",
+                      comma == Comma::thousands ? "comma" : "point",
+                      comma == Comma::thousands ? "points" : "commas"));
     return *std::move(found);
   }
 };

@@ -6,12 +6,14 @@
 /// not a separator or stands in quotes. If no way fits, the text is refused with the first line in error. If
 /// two ways fit and give different numbers ("1,5" is 1.5, or 1 and 5), it is refused unless `reading`
 /// decides, or only one way has labels of coordinates and heights for all its columns. Commas between
-/// thousands are accepted only if nothing else fits ("1,234.5 2,000"), points only beside a decimal comma,
-/// and if some number has both, or two points ("1.234,5"). Where tabs and blanks both fit, tabs end cells,
+/// thousands are accepted only if nothing else fits ("1,234.5 2,000"), points only beside a decimal comma.
+/// Unless the decimal mark is told, some number must have both, or two of them ("1.234,5", "1,234,567"), and
+/// none may lack them ("1512.523"). Where tabs and blanks both fit, tabs end cells,
 /// unless that leaves a column empty.
 ///
 /// An empty cell is a missing point. If every line ends with a separator, there is no cell after it. Lines
-/// that are empty or begin with # or %, or with ; if it is not the separator, are ignored; in a line of
+/// that are empty or begin with # or %, or with ; if it is not the separator, are ignored, except
+/// those that may be lines of the table (is_comment(), formats/text_lines.hpp); in a line of
 /// separators only, all points are missing. A byte-order mark of UTF-8 is ignored; UTF-16 is refused. A line
 /// ends with LF, CR LF or CR.
 ///

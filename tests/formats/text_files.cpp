@@ -119,3 +119,67 @@ TEST_CASE("a line says how a text was read", "[formats][text][contract]") {
       format::text.decode("1 2\n3 1\n", Order::yx).understood,
       ContainsSubstring("a line for each y, no size given, separated by blanks, no unit given: metres"));
 }
+
+// Such lines were dropped as comments: the map was a row short.
+TEST_CASE("a row that begins with a spreadsheet's error is a row, its cell missing",
+          "[formats][text][exact]") {
+  const Field rows = field({{1, 2}, {gap, 4}, {5, 6}});
+  for (const std::string word : {"#N/A", "#NV", "#DIV/0!", "#WERT!", "#VALUE!", "#REF!", "#NUM!", "#NAME?",
+                                 "#NULL!", "#BEZUG!", "#ZAHL!", "########"})
+    for (const std::string separator : {";", "\t", " "}) {
+      CAPTURE(word, separator);
+      const auto row = [&](const std::string& a, const std::string& b) { return a + separator + b + "\n"; };
+      CHECK(same(format::text.decode(row("1", "2") + row(word, "4") + row("5", "6"), {}).values, rows));
+      CHECK(same(format::text.decode(row(word, "4") + row("5", "6"), {}).values, field({{gap, 4}, {5, 6}})));
+      CHECK(same(format::text.decode(row("1", "2") + row("4", word), {}).values, field({{1, 2}, {4, gap}})));
+    }
+  CHECK(same(format::text.decode("1.5,2\n#N/A,4\n5,6\n", {}).values, field({{1.5, 2}, {gap, 4}, {5, 6}})));
+  CHECK(same(format::text.decode("#N/A\n1\n#NV\n", {}).values, field({{gap}, {1}, {gap}})));
+  CHECK(same(format::text.decode("#####\n# Title\n#####\n1\n2\n", {}).values, field({{1}, {2}})));
+  CHECK(same(format::gwyddion_text.decode("# Width: 3 um\n# Height: 2 um\n#N/A\t2\t3\n4\t5\t6\n", {}).values,
+             field({{gap, 2, 3}, {4, 5, 6}}).transpose()));
+  Reading told;
+  for (const char* word : {"#NV", "%", "#x", "#"}) {
+    told.missing = {word};
+    CHECK(same(format::text.decode("1;2\n" + std::string(word) + ";4\n5;6\n", told).values, rows));
+  }
+}
+
+TEST_CASE("a comment that may be a row is refused, others are ignored", "[formats][text][contract]") {
+  for (const char* text : {"1;2\n%;4\n5;6\n", "%;4\n5;6\n", "1 2\n% 4\n5 6\n", "1;2\n#ERR;4\n5;6\n",
+                           "1,2\n#x,4\n5,6\n", "1\t2\t3\n\t#x\t4\n", "1\n####\n2\n", "#N/A;4x\n5;6\n"}) {
+    CAPTURE(text);
+    CHECK_THAT(refusal(text), ContainsSubstring("(`missing`)"));
+  }
+  for (const char* comment : {"# 1 2 3", "#x y z", "% made by", "#1 2", "#", "%", "# end;", "##", "#x"})
+    for (const std::string separator : {";", " "}) {
+      CAPTURE(comment, separator);
+      const std::string first = "1" + separator + "2\n", second = "5" + separator + "6\n";
+      const std::string text = comment + ("\n" + first) + comment + "\n" + second + comment;
+      CHECK(same(format::text.decode(text, {}).values, field({{1, 2}, {5, 6}})));
+    }
+}
+
+// 481,945 nm became 481945 nm.
+TEST_CASE("commas stand between thousands only where a number proves it and none contradicts",
+          "[formats][text][contract]") {
+  for (const char* text : {"x[um];y[um];z[nm]\n0;0;1512.523\n1;0;481,945\n0;1;500.5\n1;1;600.5\n",
+                           "1.5\n1,523\n2.512\n", "1,234.5;2\n1512.523;3\n", "1.234,5;2\n1512,523;3\n"})
+    CHECK_THAT(refusal(text),
+               ContainsSubstring("write one decimal mark, or give asperity-convert the `decimal`"));
+  CHECK(same(format::text.decode("1,234.5\n2,000\n3.5\n", {}).values, field({{1234.5}, {2000}, {3.5}})));
+  CHECK(same(format::text.decode("1,234,567;1.5\n", {}).values, field({{1234567, 1.5}})));
+  Reading told;
+  told.decimal = DecimalMark::point;
+  CHECK(same(format::text.decode("1.5\n1,523\n", told).values, field({{1.5}, {1523}})));
+}
+
+// The line passed for words above the numbers.
+TEST_CASE("a misspelt first number of one column is refused", "[formats][text][contract]") {
+  for (const char* text : {"12O\n1.5\n2.5\n3.5\n", "-1x\n1\n2\n", ".5e\n1\n2\n", "1.2.3\n1\n2\n"}) {
+    CAPTURE(text);
+    CHECK_THAT(refusal(text), ContainsSubstring("line 1: ") && ContainsSubstring("is not a number"));
+  }
+  CHECK(
+      same(format::text.decode("Height (nm)\n-- Sample 1 --\n3\n4\n", {}).values, 1e-9 * field({{3}, {4}})));
+}
