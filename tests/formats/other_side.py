@@ -45,7 +45,7 @@ def our_array(source):
 
 def our_spacing(source):
     """In metres, as the head of an NRRD states it."""
-    with open(convert(source, "ours.nrrd"), "rb") as file:
+    with open(convert(source, "spacing.nrrd"), "rb") as file:
         line = next(line for line in file if line.startswith(b"spacings: "))
     return [float(word) for word in line.split()[1:]]
 
