@@ -157,7 +157,7 @@ TEST_CASE("text is given to Gwyddion only where --from says so", "[program][cont
   CHECK(std::filesystem::exists(scratch("asked")));
 }
 
-TEST_CASE("--channel chooses a map by name or number, and is refused where there is one map alone",
+TEST_CASE("a channel chooses a map by name or number, and is refused where there is one map alone",
           "[program][contract]") {
   const Map map{.values = random_field({6, 4}, 3), .spacing = {1e-6, 1e-6}, .units = "m", .title = "Height"};
   std::ofstream(scratch("one.gwy"), std::ios::binary) << format::gwy.encode(map, Order::xy);
