@@ -106,7 +106,7 @@ int convert(cli::Tool& tool, const Options& options) {
   const std::string target = options.target(tool.output_name());
   std::optional<cli::Bytes> bytes = cli::read_all(tool.input_name(), tool.memory_bound());
   cli::InputFormat format = tool.format();
-  tool.reads(tool.input_name(), target == "netcdf" && format.found(*bytes, tool.input_name()) == target);
+  tool.reads(tool.input_name(), format.found(*bytes, tool.input_name()) == target);
   if (!format.netcdf(*bytes)) tool.detail(format.reason(*bytes, tool.input_name()));
   format.reading = options.map.reading(*bytes, format.found(*bytes, tool.input_name()));
   if (target == "netcdf") {
