@@ -59,8 +59,8 @@ class LagWaves::Blocks {
         complete_(!d.isNaN().any()),
         heights_(complete_ ? d : zero_filled(d)),
         valid_(complete_ ? Field() : validity(d)),
-        torus_{fast_length((grid.shape.nx + along_x - 1) / along_x + 2 * max_lag.nx),
-               fast_length((grid.shape.ny + along_y - 1) / along_y + 2 * max_lag.ny)},
+        torus_{fast_length(largest(along_x, grid.shape.nx) + 2 * max_lag.nx),
+               fast_length(largest(along_y, grid.shape.ny) + 2 * max_lag.ny)},
         transform_(torus_) {}
 
   bool complete() const { return complete_; }
@@ -120,6 +120,12 @@ class LagWaves::Blocks {
   static Range block(Index b, Index blocks, Index n) {
     auto end = [&](Index k) { return 2 * k <= blocks ? k * n / blocks : n - (blocks - k) * n / blocks; };
     return {end(b), end(b + 1)};
+  }
+  // Points of the largest block: one in the middle takes what both halves round off.
+  static Index largest(Index blocks, Index n) {
+    Index out = 0;
+    for (Index b = 0; b < blocks; ++b) out = std::max(out, block(b, blocks, n).length());
+    return out;
   }
 
   // Of the block and all partners of its points; zero beyond the field.
