@@ -201,54 +201,6 @@ TEST_CASE("directions have an error if the contour is not a circle, else a reaso
   }
 }
 
-// The logarithm of exp(10 x + 100 x²), x the deviation of one lag, of error σ, is biased by 100 σ², and the
-// interval lower by that than about x of ρ' = (ρ + b)/(1 + b).
-TEST_CASE("the interval of a ratio allows for its bias and for the field's own mean", "[lag-waves][law]") {
-  const Grid g = grid(96, 96);
-  const Field d = remove_form(moving_average(g.shape, {5, 4}, 22));
-  const AcfEstimate estimate = AcfEstimate::of({.grid = g, .heights = d}, {.max_lag = {48, 48}});
-  const LengthErrors errors(estimate, d, 0.2);
-  const double here = estimate.rho(3, 0),
-               sigma = LagWaves(d, g, {8, 8}, estimate.basis.extent()).of_ratio(estimate.rho).errors()(3, 0);
-  const Estimate ratio = errors.ratio(
-      1,
-      [here](const LagField& rho) {
-        const double x = rho(3, 0) - here;
-        return std::optional(std::exp(10 * x + 100 * x * x));
-      },
-      0, 100);
-  REQUIRE(ratio.interval);
-  const double shift = -0.5 * std::log(ratio.interval->low * ratio.interval->high),
-               x = estimate.size.freed(estimate.rho)(3, 0) - here;
-  CHECK(x > 0);
-  CHECK(shift == Approx(100 * sigma * sigma - 10 * x - 100 * x * x).epsilon(1e-6));
-}
-
-// Where one side of a mode leads beyond the lags, no end of the interval can be stated on that side.
-TEST_CASE("the interval of a ratio is open where a length may lie beyond the lags", "[lag-waves][contract]") {
-  const Grid g = grid(96, 96);
-  const Field d = remove_form(moving_average(g.shape, {5, 4}, 22));
-  const AcfEstimate estimate = AcfEstimate::of({.grid = g, .heights = d}, {.max_lag = {48, 48}});
-  const LengthErrors errors(estimate, d, 0.2);
-  const double freed = estimate.size.freed(estimate.rho)(3, 0);
-  auto ratio = [&](double below, double above) {
-    return errors.ratio(
-        1,
-        [=](const LagField& rho) {
-          const double x = rho(3, 0) - freed, tiny = 1e-9;
-          return std::optional(x < -tiny ? below : x > tiny ? above : 1);
-        },
-        0.1, 100);
-  };
-  const Estimate low = ratio(0, 1.1), high = ratio(0.9, AcfDeviations::beyond), closed = ratio(0.9, 1.1);
-  CHECK(low.interval->low == 0.1);
-  CHECK(low.interval->high < 100);
-  CHECK(high.interval->low > 0.1);
-  CHECK(high.interval->high == 100);
-  CHECK(closed.interval->low > 0.1);
-  CHECK(closed.interval->high < 100);
-}
-
 // A triangle of 26 samples falls to 0.2 at 21 of 24 lags. Intervals with both ends held the truth in 65 % of
 // the fields of two such lays.
 TEST_CASE("Str and the ellipticity of a lay that is as long as the lags have one end",
