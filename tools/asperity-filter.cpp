@@ -71,7 +71,8 @@ class Filter {
     for (const std::string& file : surfaces.files) tool_.reads(file);
   }
   std::string output(int number, std::size_t of) const {
-    return of > 1 ? cli::numbered("output", tool_.output_name(), number) : tool_.output_name();
+    const std::string name = tool_.output_name();
+    return of > 1 || cli::has_place_for_number(name) ? cli::numbered("output", name, number) : name;
   }
   void fail(const std::string& why, int code) {
     tool_.warn(why);
@@ -87,6 +88,9 @@ class Filter {
     } catch (const DataError& error) {
       if (member.alone()) throw;
       fail(tool_.in_file(error), cli::bad_data);
+    } catch (const cli::UsageError& error) {  // a step that this map cannot take
+      if (member.alone()) throw;
+      fail(member.name + ": --" + error.name + ": " + error.what(), cli::usage_error);
     }
   }
   void write(Dataset& data, const std::string& name) {

@@ -78,6 +78,12 @@ TEST_CASE("a length that is not that of the points is not taken, which every too
 }
 
 // 500 surfaces had 500 warnings that differ in a number.
+TEST_CASE("an ensemble of one has its number in the name of its file", "[ensemble][contract]") {
+  require(
+      "asperity-generate --shape 8x8 --size 1mm --rq 1um --length 2px --seed 1 --count 1 -o alone_%02d.nc");
+  CHECK(shell("ls alone_*").out == shell("ls alone_0[01].nc").out);
+}
+
 TEST_CASE("a warning that comes again for another surface is told once, and counted",
           "[ensemble][contract]") {
   cli::Repeated warnings;

@@ -135,6 +135,13 @@ TEST_CASE("several maps are written by a pattern, and one that fails keeps the o
   require("ls b.nc map.nc | asperity-filter -q --scale 2 -o g_%d.nc");
   CHECK(same_bits(heights_in("g_2.nc"), heights_in("f_3.nc")));
   CHECK(shell("asperity-filter b.nc map.nc --scale 2 -o one.nc").exit == 2);
+  require("asperity-filter map.nc --scale 2 -o only_%02d.nc");
+  CHECK(same_bits(heights_in("only_01.nc"), heights_in("f_3.nc")));
+  require("asperity-filter map.nc --crop 0:3,0:3 -o small.nc");
+  const Outcome small = shell("asperity-filter small.nc map.nc --lambda-s 6um -o s_%d.nc");
+  CHECK(small.exit == 2);
+  CHECK_THAT(small.error, ContainsSubstring("small.nc: --lambda-s: "));
+  CHECK(shell("ls s_*.nc").out == "s_2.nc\n");
   const Outcome over = shell("cp b.nc h_2.nc; asperity-filter map.nc h_2.nc --scale 2 -o h_%d.nc; ls h_1.nc");
   CHECK_THAT(over.error, ContainsSubstring("is an input of this run"));
   CHECK_THAT(over.error, ContainsSubstring("h_1.nc"));

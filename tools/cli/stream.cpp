@@ -196,11 +196,18 @@ void write_all(const std::string& name, std::string_view bytes) {
   file.close();
 }
 
-std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number) {
+bool has_place_for_number(const std::string& pattern) {
   const auto percent = pattern.find('%'), end = pattern.find('d', percent);
-  const std::string width = percent < end ? pattern.substr(percent + 1, end - percent - 1) : "?";
-  if (end == pattern.npos || width.find_first_not_of("0123456789") != width.npos || width.size() > 2)
+  if (percent == pattern.npos || end == pattern.npos) return false;
+  const std::string width = pattern.substr(percent + 1, end - percent - 1);
+  return width.size() <= 2 && width.find_first_not_of("0123456789") == width.npos;
+}
+
+std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number) {
+  if (!has_place_for_number(pattern))
     throw ParameterError(option, "'" + pattern + "' has no place for the number: write s_%04d.nc");
+  const auto percent = pattern.find('%'), end = pattern.find('d', percent);
+  const std::string width = pattern.substr(percent + 1, end - percent - 1);
   std::string digits = std::to_string(number);
   const std::size_t least = width.empty() ? 0 : std::stoul(width);
   if (digits.size() < least) digits.insert(0, least - digits.size(), '0');

@@ -81,6 +81,8 @@ class OutputFile {
   bool rewritable_ = false;
 };
 
+/// Whether a name is a pattern for several, and for one of several that happens to be alone.
+bool has_place_for_number(const std::string& pattern);
 /// "surface_%04d.nc" and 7 → "surface_0007.nc". Throws ParameterError(option, …) for a pattern without %d.
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number);
 

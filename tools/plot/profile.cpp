@@ -47,6 +47,13 @@ Range with_room(Range r) {
 struct Row {
   Section section;
   std::vector<Field> traces;
+
+  // Of a column of all traces.
+  Range range(Index column) const {
+    Range out{unlimited, -unlimited};
+    for (const Field& trace : traces) out = united(out, range_of(trace.col(column)));
+    return out;
+  }
 };
 
 std::vector<Row> rows_of(const Cases& cases, const std::string& variable, const Request& request) {
@@ -62,7 +69,7 @@ std::vector<Row> rows_of(const Cases& cases, const std::string& variable, const 
 
 Panel panel_of(const Row& row, const Unit& length, const Axis& values, double unit) {
   Panel out;
-  out.x = axis_of(range_of(row.traces[0].col(0)), length, row.section.along());
+  out.x = axis_of(row.range(0), length, row.section.along());
   out.x->label += " at " + row.section.label();
   out.y = values;
   const Eigen::Array<double, 1, 2> units(length.factor, unit);
@@ -80,8 +87,8 @@ Figure profile(const Cases& cases, const Request& request) {
   Range values{unlimited, -unlimited};
   double reach = 0;
   for (const Row& row : rows) {
-    for (const Field& trace : row.traces) values = united(values, range_of(trace.col(1)));
-    reach = std::max(reach, range_of(row.traces[0].col(0)).magnitude());
+    values = united(values, row.range(1));
+    reach = std::max(reach, row.range(0).magnitude());
   }
   const Quantity quantity = quantity_of(cases[0].data.at(variable));
   values = value_range(request, quantity.unit, with_room(values));

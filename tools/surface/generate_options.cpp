@@ -78,7 +78,8 @@ std::string GenerateOptions::target_option(const Tool& tool) const {
 }
 
 std::string GenerateOptions::output_name(const Tool& tool, int k) const {
-  return count > 1 ? numbered("output", tool.output_name(), number(k)) : tool.output_name();
+  const std::string name = tool.output_name();
+  return count > 1 || has_place_for_number(name) ? numbered("output", name, number(k)) : name;
 }
 
 Synthesis GenerateOptions::synthesis(const Tool& tool, Field kernel_values, Pointwise translation,
