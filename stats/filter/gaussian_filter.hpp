@@ -18,39 +18,13 @@
 /// ISO 16610-61:2015; ISO 16610-28:2016.
 #pragma once
 
-#include <optional>
-
 #include "core/field.hpp"
-#include "transform/convolution.hpp"
 
 namespace asperity {
-
-/// Of the weight in cut-offs: there exp(-π(1.65/α)²) is below 1e-16.
-inline constexpr double gaussian_reach = 1.65;
 
 /// Throws ParameterError("cut-off") unless 2 Δ ≤ λ_c < ∞ for the spacing Δ of each axis of
 /// several points.
 void check_cutoff(const Grid& grid, double cutoff);
-
-/// Sums under the weight (1) over the points of a field, and along periodic axes over their images.
-class GaussianSums {
- public:
-  /// Throws as check_cutoff.
-  GaussianSums(const Grid& grid, double cutoff, int threads = 1);
-
-  /// Σ s z about each point; no point is missing.
-  Field of(const Field& z) {
-    Field out;
-    sums_->apply(z, out);
-    return out;
-  }
-  /// Σ s: of a field of ones.
-  const Field& of_weights() const { return inside_; }
-
- private:
-  std::optional<EvenConvolution> sums_;
-  Field inside_;
-};
 
 /// Throws ParameterError("cut-off") unless 2 Δ ≤ λ_c < ∞ for the spacing Δ of each axis of
 /// several points.

@@ -137,7 +137,8 @@ Shape median_window(const Grid& grid, double width) {
     const double half = std::floor(width / 2 / step * (1 + 1e-12));
     return std::min(2 * static_cast<Index>(std::min(half, static_cast<double>(n))) + 1, largest_odd(n));
   };
-  const double least = 2 * std::min(grid.dx, grid.dy);
+  const double least =
+      2 * std::min(grid.shape.nx > 2 ? grid.dx : HUGE_VAL, grid.shape.ny > 2 ? grid.dy : HUGE_VAL);
   check_parameter(
       width * (1 + 1e-12) >= least && std::isfinite(width), "median",
       "'" + shortest(width) + " m' is not finite or below two samples, " + shortest(least) + " m");

@@ -30,7 +30,7 @@ MeanSurface mean_surface(const Field& z, const Grid& grid, const Cutoff& cutoff,
   const double at = cutoff.wavelength;
   if (cutoff.filter == Cutoff::Filter::gaussian) return {gaussian_mean_surface(z, grid, at, threads)};
   if (cutoff.filter == Cutoff::Filter::spline) return {spline_mean_surface(z, grid, at, threads)};
-  RobustMeanSurface found = robust_gaussian_mean_surface(z, grid, at, 0, threads);
+  RobustMeanSurface found = robust_gaussian_mean_surface(z, grid, at, threads);
   std::string doubt;
   if (!found.converged)
     doubt = "the robust filter has not converged: its last step, of " + std::to_string(found.steps) +

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "core/error.hpp"
 #include "stats/filter/form.hpp"
-#include "stats/filter/gaussian_filter.hpp"
-#include "stats/filter/local_quadratic.hpp"
+#include "stats/filter/gaussian_sums.hpp"
 #include "stats/filter/missing.hpp"
 
 namespace asperity {
@@ -23,6 +21,7 @@ double median_size(const Field& differences) {
   sizes.reserve(size(differences.size()));
   for (const double r : differences.reshaped<Eigen::RowMajor>())
     if (!std::isnan(r)) sizes.push_back(std::abs(r));
+  if (sizes.empty()) return 0;
   const auto middle = sizes.begin() + std::ssize(sizes) / 2;
   std::nth_element(sizes.begin(), middle, sizes.end());
   return *middle;
@@ -34,39 +33,25 @@ Field biweights(const Field& differences, double width) {
 }
 
 // (1) with weights δ; where they leave nothing to fit, w keeps its former value.
-class Regression {
- public:
-  Regression(const Field& z, const Grid& grid, double cutoff, int order, int threads)
-      : z_(z), grid_(grid), cutoff_(cutoff), order_(order), threads_(threads), sums_(grid, cutoff, threads) {}
-
-  Field surface(const Field& delta, const Field& former) {
-    if (order_ == 2) return local_quadratic(z_, delta, former, grid_, cutoff_, threads_);
-    const Field sum = sums_.of(delta);
-    return (sum > least_weight).select(sums_.of(delta * z_) / sum, former);
-  }
-
- private:
-  const Field& z_;
-  Grid grid_;
-  double cutoff_;
-  int order_, threads_;
-  GaussianSums sums_;
-};
+Field regression(GaussianSums& sums, const Field& z, const Field& delta, const Field& former) {
+  const Field sum = sums.of(delta);
+  return (sum > least_weight).select(sums.of(delta * z) / sum, former);
+}
 
 }  // namespace
 
 RobustMeanSurface robust_gaussian_mean_surface(const Field& heights, const Grid& grid, double cutoff,
-                                               int order, int threads, int most) {
-  check_parameter(order == 0 || order == 2, "order", "'" + std::to_string(order) + "' is not 0 or 2");
+                                               int threads, int most) {
   const double level = mean(heights);
   const Field z = heights - level, filled = zero_filled(z), valid = validity(z);
-  Regression regression(filled, grid, cutoff, order, threads);
-  RobustMeanSurface out{.surface = regression.surface(valid, Field::Zero(z.rows(), z.cols())), .steps = 1};
+  GaussianSums sums(grid, cutoff, threads);
+  RobustMeanSurface out{.surface = regression(sums, filled, valid, Field::Zero(z.rows(), z.cols())),
+                        .steps = 1};
   while (!out.converged && out.steps < most) {
     ++out.steps;
     out.width = width_of_median * median_size(z - out.surface);
     const Field weights = biweights(z - out.surface, out.width),
-                next = regression.surface(weights, out.surface);
+                next = regression(sums, filled, weights, out.surface);
     const Field moves = valid * (next - out.surface);
     out.change = std::sqrt(moves.square().sum() / valid.sum());
     out.largest = moves.abs().maxCoeff();

@@ -1,10 +1,9 @@
 /// The robust areal Gaussian regression filter of ISO 16610-71: a mean surface that scratches, pores and
 /// spikes do not draw towards themselves.
 ///
-/// The mean surface w is the Gaussian regression of order p, 0 as in stats/filter/gaussian_filter.hpp or 2 as
-/// in stats/filter/local_quadratic.hpp, with an additional weight of each point that depends on how far it
-/// lies from w,
-///     min Σ_k s(x_k - x) δ_k (z_k - P(x_k - x))²  over polynomials P of degree p,   w(x) = P(0),      (1)
+/// The mean surface w is the Gaussian regression of order zero (stats/filter/gaussian_filter.hpp) with an
+/// additional weight of each point that depends on how far it lies from w,
+///     w(x) = Σ_k s(x_k - x) δ_k z_k / Σ_k s(x_k - x) δ_k,                                             (1)
 ///     δ_k = (1 - (r_k/c)²)²  where |r_k| < c, otherwise 0,   r = z - w,                              (2)
 ///     c = 4.4478 median|r|:  3 standard deviations of Gaussian roughness,                            (3)
 /// s the weight of the Gaussian filter. (1) to (3) repeat, beginning with δ = 1, until the rms move of w is
@@ -15,7 +14,7 @@
 /// Symbols   λ_c cut-off [m]   δ Tukey's biweight   c its width [m]
 /// Accuracy  of the iteration 10⁻³ c rms divided by 1 - its rate, 0.6 where λ_c is 7 correlation lengths.
 /// Cost      each step two convolutions and a median, 13 ms for 512², 6 to 13 steps where λ_c is 3 to 7
-///           correlation lengths; of order 2 0.4 s at λ_c = 20 Δ, 0.7 s at 80 Δ.
+///           correlation lengths.
 ///
 /// ISO 16610-71:2014. A. E. Beaton, J. W. Tukey, Technometrics 16 (1974) 147-185.
 #pragma once
@@ -34,8 +33,8 @@ struct RobustMeanSurface {
   double ignored = 0;  ///< share of the points with δ = 0
 };
 
-/// Throws ParameterError("cut-off") as the Gaussian filter, ParameterError("order") unless 0 or 2.
-RobustMeanSurface robust_gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int order = 0,
+/// Throws ParameterError("cut-off") as the Gaussian filter.
+RobustMeanSurface robust_gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff,
                                                int threads = 1, int most = 100);
 
 }  // namespace asperity

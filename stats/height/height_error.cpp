@@ -57,6 +57,10 @@ void HeightErrors::finish(const FieldExtent& extent) {
   const Eigen::MatrixXd modes = orthonormal(gram_, least_share);
   taken_ = std::ranges::count_if(products_.terms(), [&](const auto& t) { return t.a + t.b <= degree_; });
   next_ = modes.rows() - taken_;
+  if (next_ < 1) {  // of so narrow an outline
+    next_ = 0, power_ = NAN;
+    return;
+  }
   power_ = (modes * modes_).squaredNorm() / (static_cast<double>(next_) * sums_.count());
 }
 
@@ -70,7 +74,7 @@ double HeightErrors::of_mean() const {
 double HeightErrors::taken() const {
   if (degree_ == 0) return std::min(0.5, std::pow(of_mean() / sq_, 2));
   const double b = static_cast<double>(taken_) * power_ / std::pow(1 - loss(1.2 + 0.35 * degree_), 2);
-  return std::min(0.5, b / (1 + b));
+  return std::isnan(b) ? b : std::min(0.5, b / (1 + b));
 }
 
 double HeightErrors::loss(double factor) const { return std::min(0.4, factor / std::sqrt(patches_)); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "stats/spatial/strip_acf.hpp"
@@ -20,21 +21,22 @@ SurfaceSums summed(const StripReader& reader, const Surface& surface, bool deriv
   const Grid& grid = reader.grid();
   const bool known = surface.correlation.has_value(),
              needs_lags = !known || reader.points() < static_cast<double>(grid.shape.cells());
-  StripAutocorrelation correlation(grid, reader.rows(), threads), modes = correlation;
-  const bool outline = reader.form() && !reader.form()->complete();
+  StripAutocorrelation correlation(grid, reader.rows(), threads);
+  std::optional<StripAutocorrelation> modes;  // of a form on an outline
+  if (reader.form() && !reader.form()->complete()) modes.emplace(grid, reader.rows(), threads);
   MomentSums moments(Mean{});
   DerivativeSums sums;
   reader.for_each_strip(derivatives ? 2 : 0, [&](const Field& strip, Index core, Index first) {
     moments.add(strip.topRows(core));
     if (derivatives) sums.add({strip, grid, core}, 0, threads);
     if (needs_lags) correlation.add(strip.topRows(core));
-    if (outline) FormModes::add(modes, *reader.form(), strip.topRows(core), first);
+    if (modes) FormModes::add(*modes, *reader.form(), strip.topRows(core), first);
   });
   const Moments m = moments.moments(surface.variable);
   refuse_round_off(std::max(m.sp, m.sv), reader.largest(), {.degree = reader.degree()}, surface.variable);
   const ErrorBasis basis{known ? *surface.correlation : correlation.estimate(), !known, correlation.pairs(),
-                         outline && surface.degree <= reader.degree()
-                             ? FormModes(grid, *reader.form(), modes)
+                         modes && surface.degree <= reader.degree()
+                             ? FormModes(grid, *reader.form(), *modes)
                              : FormModes(grid, std::max(surface.degree, reader.degree()))};
   return {m, sums, basis, needs_lags && correlation.reaches_beyond(basis.known_lags())};
 }

@@ -1,7 +1,6 @@
 #include "stats/spectrum/holes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "stats/filter/missing.hpp"
@@ -9,8 +8,6 @@
 
 namespace asperity {
 namespace {
-
-constexpr double most_bias = 0.5;  // relative errors, as in resolution.cpp
 
 // (1): a F⁻¹[C] is real and even, and so is C.
 Field times_pairs(Field lags, const RealTransform2D& transform, const Field& there) {
@@ -48,22 +45,16 @@ LagField spread_by_holes(const LagField& psd, const Field& d) {
 
 void judge_holes(std::vector<SpectrumPoint>& points, const std::vector<SpectrumPoint>& once_more,
                  PointKind kind) {
-  const Index first = kind == PointKind::ring ? 1 : 0, count = static_cast<Index>(points.size());
-  std::vector<double> single;
+  auto densities = [](const std::vector<SpectrumPoint>& of) {
+    std::vector<double> out;
+    for (const SpectrumPoint& p : of) out.push_back(p.density);
+    return out;
+  };
+  const std::vector<double> bias = pooled_bias(densities(once_more), densities(points), kind);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double b = std::log(once_more[i].density / points[i].density);
-    single.push_back(std::isnan(b) ? 0 : std::clamp(b, -2.0, 2.0));
-  }
-  for (Index i = 0; i < count; ++i) {
-    SpectrumPoint& point = points[static_cast<std::size_t>(i)];
-    const Index reach = pooled_reach(i + first), from = std::max<Index>(i - reach, 0),
-                to = std::min(i + reach, count - 1);
-    double b = 0;
-    for (Index j = from; j <= to; ++j)
-      b += single[static_cast<std::size_t>(j)] / static_cast<double>(to - from + 1);
-    point.bias += b;
-    if (point.no_error == NoError::none && std::abs(b) * point.density > most_bias * point.standard_error)
-      point.no_error = NoError::holes;
+    SpectrumPoint& point = points[i];
+    point.bias += bias[i];
+    if (point.no_error == NoError::none && hidden_by(bias[i], point)) point.no_error = NoError::holes;
     if (point.no_error != NoError::none)
       point.standard_error = point.degrees = std::numeric_limits<double>::quiet_NaN();
   }

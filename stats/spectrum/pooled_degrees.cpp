@@ -7,15 +7,25 @@ namespace asperity {
 namespace {
 
 constexpr double left_by_chance = 1.5;
+constexpr double most_bias = 0.5;  // relative errors
+
+struct Range {
+  Index first, last;
+};
+
+// The neighbours of point i, with it; the mean height is not one of the others'.
+Range neighbours(Index i, Index count, PointKind kind) {
+  const Index first = kind == PointKind::ring ? 1 : 0, k = first + i, reach = 1 + k / 8;
+  if (k == 0) return {0, 0};
+  return {std::max<Index>(k - reach, 1) - first, std::min(i + reach, count - 1)};
+}
 
 double relative_variance(const SpectrumPoint& p) { return std::pow(p.standard_error / p.density, 2); }
 
 // ū at point i; the point of the mean height, which is not one of the others, alone.
 double pooled(const std::vector<SpectrumPoint>& points, Index i, PointKind kind) {
   const Index first = kind == PointKind::ring ? 1 : 0, k = first + i;
-  if (k == 0) return relative_variance(points.front());
-  const Index h = pooled_reach(k), from = std::max<Index>(k - h, 1) - first,
-              to = std::min(i + h, static_cast<Index>(points.size()) - 1);
+  const auto [from, to] = neighbours(i, std::ssize(points), kind);
   double sum = 0;
   for (Index j = from; j <= to; ++j) {
     const double share =
@@ -38,6 +48,27 @@ void pool_degrees(std::vector<SpectrumPoint>& points, PointKind kind) {
     points[i].degrees = degrees;
     points[i].standard_error = points[i].density * std::sqrt(2 / (degrees + 2));
   }
+}
+
+std::vector<double> pooled_bias(const std::vector<double>& once_more, const std::vector<double>& densities,
+                                PointKind kind) {
+  const Index count = std::ssize(densities);
+  Eigen::ArrayXd single(count);
+  for (Index i = 0; i < count; ++i) {
+    const double b =
+        std::log(once_more[static_cast<std::size_t>(i)] / densities[static_cast<std::size_t>(i)]);
+    single(i) = std::isnan(b) ? 0 : std::clamp(b, -2.0, 2.0);
+  }
+  std::vector<double> out;
+  for (Index i = 0; i < count; ++i) {
+    const auto [from, to] = neighbours(i, count, kind);
+    out.push_back(single.segment(from, to - from + 1).mean());
+  }
+  return out;
+}
+
+bool hidden_by(double bias, const SpectrumPoint& point) {
+  return std::abs(bias) * point.density > most_bias * point.standard_error;
 }
 
 }  // namespace asperity

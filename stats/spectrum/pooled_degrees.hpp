@@ -28,7 +28,11 @@ enum class PointKind { profile, ring };  ///< the first at wave number 0; at 1
 /// (2)
 void pool_degrees(std::vector<SpectrumPoint>& points, PointKind kind);
 
-/// h of (2).
-inline Index pooled_reach(Index k) { return 1 + k / 8; }
+/// b = ln C'/C of each point, for a density C and what spreading it once more makes of it, C', averaged over
+/// the neighbours of (2), in which chance cancels and bias does not; each at most 2.
+std::vector<double> pooled_bias(const std::vector<double>& once_more, const std::vector<double>& densities,
+                                PointKind kind);
+/// Whether |b| is above half of the relative error of a point.
+bool hidden_by(double bias, const SpectrumPoint& point);
 
 }  // namespace asperity

@@ -8,7 +8,8 @@
 namespace asperity {
 namespace {
 
-constexpr double most_bias = 0.5;  // relative errors
+// κ of Hann's window falls as n⁻⁶: below 1e-18 beyond.
+constexpr Index hann_reach = 1024;
 
 // W², not at f = 0 and Hann's not at ±1.
 double power(double f, DataWindow window) {
@@ -30,7 +31,8 @@ class Densities {
       : spectrum_(spectrum), first_(spectrum.kind == PointKind::ring ? 1 : 0) {
     if (first_ == 1) density_.push_back(0);
     for (const SpectrumPoint& p : points) density_.push_back(p.density);
-    for (Index n = 0; n <= 2 * count(); ++n) kappa_.push_back(spread(n, spectrum.window));
+    reach_ = spectrum.window == DataWindow::hann ? std::min(2 * count(), hann_reach) : 2 * count();
+    for (Index n = 0; n <= reach_; ++n) kappa_.push_back(spread(n, spectrum.window));
   }
 
   Index first() const { return first_; }
@@ -42,8 +44,9 @@ class Densities {
     const Index lobes = spectrum_.window == DataWindow::none ? 1 : 2;
     auto share = [&](Index n) { return n < lobes ? 0 : kappa(n); };
     double sum = 0;
-    for (Index j = first_; j < count(); ++j)
-      sum += at(j) * (share(std::abs(k - j)) + (j > 0 ? share(k + j) : 0));
+    for (Index j = std::max(k - reach_, first_); j <= std::min(k + reach_, count() - 1); ++j)
+      sum += at(j) * share(std::abs(k - j));
+    for (Index j = 1; j <= std::min(reach_ - k, count() - 1); ++j) sum += at(j) * share(k + j);
     return sum;
   }
   // The waves that a form took, from those beyond.
@@ -52,21 +55,19 @@ class Densities {
     if (next <= k || !(at(k) > 0 && at(next) > 0)) return;
     const double higher =
         at(k) * std::exp(std::max(0.0, std::log(at(k) / at(next)) / static_cast<double>(next - k)));
-    for (Index j = first_; j < k; ++j)
-      density_[static_cast<std::size_t>(j)] = j == 0 ? higher : std::max(at(j), higher);
+    for (Index j = 1; j < k; ++j) density_[static_cast<std::size_t>(j)] = std::max(at(j), higher);
     density_[0] = density_[1];
   }
-  // b of (2) at one point.
-  double bias(Index k) const {
+  // κ * C of (2).
+  double once_more(Index k) const {
     double sum = 0, flat = 0;
-    for (Index j = k - count() + 1; j < k + count(); ++j) {
+    for (Index j = k - std::min(reach_, count() - 1); j <= k + std::min(reach_, count() - 1); ++j) {
       const Index of = mirrored(j);
       if (of >= count()) continue;
       const double share = kappa(std::abs(k - j)) * (first_ == 0 ? 1 : root(j));
       sum += share * at(of), flat += share;
     }
-    const double b = std::log(sum / flat / at(k));
-    return std::isnan(b) ? 0 : std::clamp(b, -2.0, 2.0);
+    return sum / flat;
   }
 
  private:
@@ -80,26 +81,12 @@ class Densities {
   }
 
   WindowedSpectrum spectrum_;
-  Index first_;
+  Index first_, reach_ = 0;
   std::vector<double> density_ = {}, kappa_ = {};
 };
 
 Index taken_by_form(const WindowedSpectrum& spectrum) {
   return (spectrum.window == DataWindow::none ? 1 : 2) + (spectrum.degree + 1) / 2;
-}
-
-// The mean over neighbours.
-std::vector<double> pooled_bias(const Densities& densities) {
-  const Index first = densities.first(), last = densities.count() - 1;
-  std::vector<double> single(static_cast<std::size_t>(first)), out;
-  for (Index k = first; k <= last; ++k) single.push_back(densities.bias(k));
-  for (Index k = first; k <= last; ++k) {
-    const Index from = std::max(k - pooled_reach(k), first), to = std::min(k + pooled_reach(k), last);
-    double sum = 0;
-    for (Index j = from; j <= to; ++j) sum += single[static_cast<std::size_t>(j)];
-    out.push_back(sum / static_cast<double>(to - from + 1));
-  }
-  return out;
 }
 
 }  // namespace
@@ -111,7 +98,10 @@ void judge_resolution(std::vector<SpectrumPoint>& points, const WindowedSpectrum
   std::vector<double> leakage;
   for (Index k = densities.first(); k < densities.count(); ++k) leakage.push_back(densities.leakage(k));
   densities.continue_below(lost);
-  const std::vector<double> bias = pooled_bias(densities);
+  std::vector<double> once_more, present;
+  for (Index k = densities.first(); k < densities.count(); ++k)
+    once_more.push_back(densities.once_more(k)), present.push_back(densities.at(k));
+  const std::vector<double> bias = pooled_bias(once_more, present, spectrum.kind);
   for (std::size_t i = 0; i < points.size(); ++i) {
     SpectrumPoint& point = points[i];
     point.bias = bias[i];
@@ -119,7 +109,7 @@ void judge_resolution(std::vector<SpectrumPoint>& points, const WindowedSpectrum
       point.no_error = NoError::form;
     else if (leakage[i] > most_leakage * point.density)
       point.no_error = NoError::leakage;
-    else if (std::abs(bias[i]) * point.density > most_bias * point.standard_error)
+    else if (hidden_by(bias[i], point))
       point.no_error = NoError::resolution;
     if (point.no_error != NoError::none)
       point.standard_error = point.degrees = std::numeric_limits<double>::quiet_NaN();

@@ -22,7 +22,7 @@
 ///           along y at wave numbers 3, 5, 7, 9, 12 are biased by -0.1, 0.4, 0.6, 0.8, 1.8 true errors; the
 ///           median b is 0.2, 0.4, 0.8, 1.3, 2.3 of them, and 13, 36, 91, 100, 100 % of the points have no
 ///           error. Coverage: stats/measure/spectra.hpp.
-/// Cost      the square of the number of points, 10 operations each.
+/// Cost      10 operations for each pair of points, with Hann's window for those within 1024 of each other.
 ///
 /// F. J. Harris, Proc. IEEE 66 (1978) 51-83, for the lobes of windows.
 #pragma once

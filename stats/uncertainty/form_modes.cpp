@@ -50,8 +50,8 @@ void for_each_mode(const AxisProducts& products, const Eigen::MatrixXd& gram, co
 
 FormModes::FormModes(const Grid& grid, int degree) : degree_(degree) {
   if (degree == 0) return;
-  along_x_ = autocorrelations(grid.shape.nx, grid.periodic.x, degree);
-  along_y_ = autocorrelations(grid.shape.ny, grid.periodic.y, degree);
+  along_x_ = autocorrelations(grid.shape.nx, grid.periodic.both(), degree);
+  along_y_ = autocorrelations(grid.shape.ny, grid.periodic.both(), degree);
   count_ = 0;
   for (Index a = 0; a < along_x_.cols(); ++a)
     count_ += static_cast<double>(std::min<Index>(degree - a + 1, along_y_.cols()));

@@ -43,7 +43,8 @@ struct Range {
 // "A:B"; either may be omitted.
 Range range_of(const std::string& word) {
   const std::size_t colon = std::min(word.find(':'), word.size());
-  const std::string first = word.substr(0, colon), second = word.substr(std::min(colon + 1, word.size()));
+  const std::string_view all = word, first = all.substr(0, colon),
+                         second = all.substr(std::min(colon + 1, all.size()));
   const auto a = to_number<Index>(first), b = to_number<Index>(second);
   const bool wrong = colon == word.size() || (!a && !first.empty()) || (!b && !second.empty());
   if (wrong || a.value_or(0) < 0) throw UsageError("crop", "'" + word + "' is not a range A:B of points");

@@ -11,8 +11,8 @@
 namespace asperity::cli {
 
 std::string figure(double value, const std::string& units) {
-  const std::string four = in_digits(value, 4);
-  return units == "m" ? format_quantity(to_number<double>(four).value_or(value), units) : four + " " + units;
+  if (units != "m") return in_digits(value, 4) + " " + units;
+  return format_quantity(to_number<double>(in_digits(value, 4)).value_or(value), units);
 }
 
 // About the first value, so that an offset costs no digits.

@@ -134,6 +134,7 @@ Figure maxima(const Cases& cases, const Request& request) {
     if (m.top.value > 0) values.high = std::max(values.high, m.top.value + error);
   }
   if (!(values.magnitude() > 0)) throw DataError(all[0].quantity.name, "no layer holds a value but 0");
+  if (!(depths.width() > 0)) throw DataError("depth", "has one value: a curve needs two");
   depths = {std::max(depths.low, request.depth.low), std::min(depths.high, request.depth.high)};
   if (!(depths.width() > 0)) throw ParameterError("depth-range", "contains no two depths of the layers");
   const Quantity& quantity = all[0].quantity;

@@ -12,6 +12,7 @@ namespace asperity::plot {
 namespace {
 
 constexpr double deepest = 1e-12;  // of the largest density; below it round-off is drawn
+constexpr double widest = 1e3;     // of the densities, to which intervals are shown
 constexpr const char* unsure = "#707070";
 
 using Spectrum = std::vector<SpectrumPoint>;
@@ -69,10 +70,14 @@ struct Extent {
 Extent extent_of(const Plane& plane) {
   Extent out;
   for (const Trace& t : plane.traces)
-    for (const SpectrumPoint& p : t.points) {
-      out.add(p.wave_number, p.density);
-      if (known(p)) out.add(p.wave_number, p.interval().high), out.add(p.wave_number, p.interval().low);
-    }
+    for (const SpectrumPoint& p : t.points) out.add(p.wave_number, p.density);
+  // Beyond, the ends of hardly known densities would hide them all.
+  const double low = out.y.low / widest, high = out.y.high * widest;
+  for (const Trace& t : plane.traces)
+    for (const SpectrumPoint& p : t.points)
+      if (known(p))
+        for (const double end : {p.interval().low, p.interval().high})
+          out.add(p.wave_number, std::clamp(end, low, high));
   return out;
 }
 
