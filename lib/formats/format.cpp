@@ -16,8 +16,7 @@ bool has_extension(const Format& format, std::string_view extension) {
 
 // No text has them, unless it is UTF-16 with its mark.
 bool has_zeros(std::string_view bytes) {
-  const bool marked = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
-  return !marked && bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+  return !is_utf16(bytes) && bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
 }  // namespace

@@ -101,6 +101,13 @@ Dataset dataset_of(const Map& map) {
   else
     set_field(out, name, map.values, {units, words});
   out.notes = notes_of(map);
+  if (map.units.empty()) {
+    const std::string assumed = "no unit given: metres assumed";
+    if (out.notes.empty())
+      out.notes = {assumed};
+    else
+      out.notes.back() += ", " + assumed;
+  }
   return out;
 }
 

@@ -42,12 +42,13 @@ std::array<double, 2> spacing_in(std::string_view words) {
   const std::size_t end = std::min(words.find(' '), words.size());
   const auto dx = number_of(words.substr(0, end)), dy = number_of(trimmed(words.substr(end)));
   if (!dx || !dy || !(*dx > 0 && std::isfinite(*dx) && *dy > 0 && std::isfinite(*dy)))
-    refuse("the spacing {} is not two positive numbers", quoted(words));
+    refuse("the spacing {} is not two positive numbers in metres: correct or remove the line", quoted(words));
   return {*dx, *dy};
 }
 
 Order order_in(std::string_view words) {
-  if (words != "xy" && words != "yx") refuse("the order {} is none of xy|yx", quoted(words));
+  if (words != "xy" && words != "yx")
+    refuse("the order {} is none of xy|yx: correct or remove the line", quoted(words));
   return words == "yx" ? Order::yx : Order::xy;
 }
 
@@ -77,13 +78,19 @@ void take_below(std::string_view text, Stated& out) {
 
 Stated stated_in(std::string_view text, const Table& table) {
   Stated out;
-  for (const HeadLine& line : table.head) take(line.text, out);
-  take_below(text.substr(static_cast<std::size_t>(table.begins - text.data())), out);
+  const auto begins = static_cast<std::size_t>(table.begins - text.data());
+  for (std::string_view above = text.substr(0, begins); !above.empty();) take(trimmed(take_line(above)), out);
+  take_below(text.substr(begins), out);
   return out;
 }
 
 // The matrix, or its only column that counts.
 Map map_of_matrix(Table table, const Columns& columns, const Stated& stated, const Reading& reading) {
+  if (table.next_block > 0)
+    refuse(
+        "line {}: numbers go on below an empty line: a file holds one map; remove the line, or all blocks "
+        "but one",
+        table.next_block);
   Field lines = Eigen::Map<const Field>(table.values.data(), table.lines, table.columns);
   table.values = {};
   if (columns.of.size() == 1) lines = lines.col(columns.of[0]).eval();
@@ -124,6 +131,7 @@ std::string understood(const Map& map, const Table& table, const Columns& column
   if (table.columns > 1) out += ", " + described(table.dialect);
   if (table.head_lines > 0)
     out += fmt::format(", below {} of words", counted(static_cast<Index>(table.head_lines), "line"));
+  for (const std::string& word : table.unseen) out += fmt::format(", no cell is {}", quoted(word));
   if (!columns.left_out.empty())
     out += fmt::format(", without {}", one_line(fmt::format("{}", fmt::join(columns.left_out, ", ")), 60));
   return out;
@@ -138,12 +146,13 @@ Map map_of_text(std::string_view text, const Reading& reading) {
   Table shown = {.dialect = table.dialect, .values = {}};
   shown.columns = table.columns;
   shown.head_lines = table.head_lines;
+  shown.unseen = table.unseen;
   Map map = columns.points() ? map_of_points(table, columns)
                              : map_of_matrix(std::move(table), columns, stated, reading);
   map.understood = understood(map, shown, columns, stated.order.value_or(reading.order));
-  if (!unit.empty()) set_units(map, unit);
-  map.understood += unit.empty() ? reading.unit_told ? "" : ", no unit given: metres assumed"
-                                 : ", values in " + one_line(unit, 24);
+  if (unit.empty()) return map;
+  set_units(map, unit);
+  map.understood += ", values in " + one_line(unit, 24);
   return map;
 }
 

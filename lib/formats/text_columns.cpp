@@ -188,8 +188,7 @@ Columns decided(const Table& table, const Labels& labels, const Reading& reading
   const bool coordinates = has_coordinates({table.values.data(), table.lines, table.columns});
   const bool few = labels.size() == 2 || labels.size() == 3;
   if (coordinates && few && all_lengths(labels))
-    return with_units(few && labels.size() == 2 ? std::vector<Index>{0, 1} : std::vector<Index>{0, 1, 2},
-                      labels);
+    return with_units(labels.size() == 2 ? std::vector<Index>{0, 1} : std::vector<Index>{0, 1, 2}, labels);
   if (coordinates) refuse_columns("the first columns look like coordinates");
   return {{}, {common_unit(labels)}};
 }

@@ -1,8 +1,10 @@
 #include "formats/text_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "formats/refuse.hpp"
 
@@ -56,14 +58,14 @@ class TableReader {
       : rest_(text), asked_(asked), line_(asked.first_line), most_(asked.memory.most_points()) {
     table_.dialect = dialect;
     for (const std::string& word : asked.missing)
-      if (const auto value = number_of(word, dialect.comma); value && std::isfinite(*value))
-        marks_.push_back(*value);
+      marks_.push_back({word, number_of(word, dialect.comma).value_or(Map::unknown)});
   }
 
   Table read() {
     for (; !rest_.empty() && !table_.fault; ++line_) {
       const std::string_view line = take_line(rest_), words = trimmed(line);
       const Separator separator = table_.dialect.separator;
+      apart_ |= words.empty();
       if (words.empty()) continue;
       if (!is_comment(words, separator, asked_.missing))
         add(content_of(line, separator));
@@ -73,11 +75,21 @@ class TableReader {
         check_comment(content_of(line, separator), words);
     }
     if (!table_.fault) finish();
+    if (!decimal_) table_.mixed = mixed_;
+    for (const Mark& mark : marks_)
+      if (!mark.seen) table_.unseen.push_back(mark.word);
     if (table_.fault) table_.values = {};
     return std::move(table_);
   }
 
  private:
+  // A word of missing points, and its number.
+  struct Mark {
+    std::string word;
+    double value;
+    bool seen = false;
+  };
+
   // Room for all lines if they are as long as the first; address space only, until it is filled.
   void reserve() {
     const auto ends = [&](char end) { return static_cast<std::size_t>(std::ranges::count(rest_, end)); };
@@ -92,8 +104,9 @@ class TableReader {
 
   void keep(std::string_view line) {
     if (!asked_.head) return;
-    if (table_.head.size() == most_head_lines) table_.head.erase(table_.head.begin());
     table_.head.push_back({line_, line});
+    if (table_.head.size() > most_head_lines)
+      fail(line.data(), fmt::format("more than {} lines of words", most_head_lines));
   }
 
   // A cell that begins like a comment among numbers in all other columns may be a number that failed. What is
@@ -105,7 +118,7 @@ class TableReader {
     Index numbers = 0;
     for (const std::string_view cell : cells) {
       const auto value = number_of(cell, table_.dialect.comma);
-      const bool number = value || is_marked(cell, value);
+      const bool number = value || mark_of(cell, value) != nullptr;
       numbers += number && cell.front() != '#';
       if (number || cell.empty()) continue;
       if (!marked.empty()) return;
@@ -134,7 +147,7 @@ class TableReader {
   }
 
   void add(std::string_view line) {
-    const std::size_t before = table_.values.size();
+    const std::size_t before = row_ = table_.values.size();
     std::string_view cell, rest = line;
     while (rest.data() != nullptr && !table_.fault)
       add_cell(cell = take_cell(rest, table_.dialect.separator, asked_.quotes));
@@ -151,7 +164,13 @@ class TableReader {
       table_.first_line = line_;
       table_.begins = line.data();
     }
+    if (!begins_ && std::exchange(apart_, false)) {
+      if (table_.next_block == 0) table_.next_block = line_;
+    } else {
+      several_ |= !begins_;
+    }
     if (begins_ && number_ && count > 0) {
+      apart_ = false;
       begins_ = false;
       reserve();
     }
@@ -173,7 +192,10 @@ class TableReader {
       return push(Map::unknown);
     }
     auto value = number_of(cell, table_.dialect.comma);
-    if (!asked_.missing.empty() && is_marked(cell, value)) value = Map::unknown;
+    if (Mark* mark = mark_of(cell, value)) {
+      mark->seen = true;
+      value = Map::unknown;
+    }
     if (!value) {
       word_ = true;
       fail(cell.data(), here() + ": " + fault_of(cell, asked_.variable == "map"));
@@ -182,13 +204,15 @@ class TableReader {
     } else {
       number_ |= std::isfinite(*value);
       if (std::isfinite(*value)) prove(cell);
+      if (asked_.head && !decimal_ && std::isfinite(*value)) compare(cell);
       push(*value);
     }
   }
 
-  bool is_marked(std::string_view cell, const std::optional<double>& value) const {
-    return (value && std::ranges::find(marks_, *value) != marks_.end()) ||
-           std::ranges::find(asked_.missing, cell) != asked_.missing.end();
+  Mark* mark_of(std::string_view cell, const std::optional<double>& value) {
+    for (Mark& mark : marks_)
+      if ((value && *value == mark.value) || cell == mark.word) return &mark;
+    return nullptr;
   }
 
   // "1.234,5" and "1.234.567" have no other meaning; "1234,5" has no mark between thousands.
@@ -200,6 +224,21 @@ class TableReader {
     const std::size_t digit = std::min(cell.find_first_of("0123456789.,"), cell.size());
     const std::size_t end = std::min(cell.find_first_not_of("0123456789", digit), cell.size());
     table_.contradicted |= end - digit > 3;
+  }
+
+  // A point before three digits may stand between thousands if numbers of its column without one have no more
+  // digits than three, and no number shows that it is a decimal mark.
+  void compare(std::string_view cell) {
+    if (table_.dialect.comma != Comma::none) return;
+    const std::size_t digit = std::min(cell.find_first_of("0123456789."), cell.size());
+    const std::string_view number = cell.substr(digit);
+    const std::size_t end = std::min(number.find_first_not_of("0123456789"), number.size());
+    const bool whole = end == number.size();
+    decimal_ = whole ? number.size() > 3 : !is_grouped(number, '.');
+    const std::size_t column = table_.values.size() - row_;
+    seen_.resize(std::max(seen_.size(), column + 1));
+    seen_[column][whole ? 0 : 1] = true;
+    if (seen_[column][0] && seen_[column][1] && mixed_.empty()) mixed_ = cell;
   }
 
   // The memory is that of the table expected from the first line.
@@ -221,6 +260,7 @@ class TableReader {
                                             counted(static_cast<Index>(numbers), "number"), asked_.shape->nx,
                                             asked_.shape->ny));
     if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
+    if (!several_) table_.next_block = 0;  // an empty line between all
   }
 
   void remove_last_column() {
@@ -237,8 +277,14 @@ class TableReader {
   bool number_ = false;               // a cell had one, in a line of nothing else if begins_ is false
   bool word_ = false;                 // the last cell is neither a number nor empty
   std::optional<Fault> first_fault_;  // of the first line of words
-  std::vector<double> marks_;         // numbers that mean a missing point
-  std::size_t line_, most_;           // most_: numbers
+  std::vector<Mark> marks_;
+  std::size_t row_ = 0;                      // of the values, where this line begins
+  std::vector<std::array<bool, 2>> seen_{};  // of each column: numbers without a point, and with one
+  std::string mixed_;                        // as Table::mixed
+  bool decimal_ = false;                     // points are decimal marks
+  bool apart_ = false;                       // the last line was empty
+  bool several_ = false;                     // two lines of numbers had none between them
+  std::size_t line_, most_;                  // most_: numbers
 };
 
 }  // namespace

@@ -50,20 +50,24 @@ struct HeadLine {
 
 struct Table {
   Dialect dialect;
-  std::vector<double> values;       ///< line by line
-  Index lines = 0, columns = 0;     ///< columns of the first line
-  bool holes = false;               ///< a cell is empty
-  bool proved = false;              ///< a number shows marks between thousands: "1.234,5"
-  bool contradicted = false;        ///< a number has none where they would stand: "1512.5"
-  std::vector<HeadLine> head = {};  ///< at most most_head_lines, the last ones
-  std::size_t head_lines = 0;       ///< all of them, without comments
-  std::size_t first_line = 0;       ///< of the numbers
-  const char* begins = nullptr;     ///< the same in the text
-  std::optional<Fault> fault = {};  ///< of the first line that does not fit the dialect
-  bool doubtful = false;            ///< the fault is a comment that may be a line of the table
+  std::vector<double> values;            ///< line by line
+  Index lines = 0, columns = 0;          ///< columns of the first line
+  bool holes = false;                    ///< a cell is empty
+  bool proved = false;                   ///< a number shows marks between thousands: "1.234,5"
+  bool contradicted = false;             ///< a number has none where they would stand: "1512.5"
+  std::string mixed = {};                ///< "1.234" in a column with "481": a decimal mark, or thousands
+  std::size_t next_block = 0;            ///< line of the numbers below an empty line, if more follow
+  std::vector<std::string> unseen = {};  ///< words of missing points that no cell has
+  std::vector<HeadLine> head = {};       ///< all of them
+  std::size_t head_lines = 0;            ///< all of them, without comments
+  std::size_t first_line = 0;            ///< of the numbers
+  const char* begins = nullptr;          ///< the same in the text
+  std::optional<Fault> fault = {};       ///< of the first line that does not fit the dialect
+  bool doubtful = false;                 ///< the fault is a comment that may be a line of the table
 };
 
-inline constexpr std::size_t most_head_lines = 256;
+/// More lines above the numbers are a fault.
+inline constexpr std::size_t most_head_lines = 65536;
 
 Table read_table(std::string_view text, Dialect dialect, const Asked& asked);
 

@@ -15,25 +15,15 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Words for a missing point, in any case.
 bool is_missing(std::string_view word) {
-  constexpr std::string_view words[] = {"nan",     "bad",     "n/a",    "na",      "#n/a",    "null",
-                                        "no data", "no_data", "nodata", "void",    "***",     "-nan(ind)",
-                                        "1.#qnan", "-1.#ind", "#nv",    "#div/0!", "#wert!",  "#value!",
-                                        "#ref!",   "#num!",   "#name?", "#null!",  "#bezug!", "#zahl!"};
+  constexpr std::string_view words[] = {"nan",     "bad",     "n/a",     "na",      "#n/a",      "null",
+                                        "no data", "no_data", "nodata",  "void",    "-nan(ind)", "1.#qnan",
+                                        "-1.#ind", "#nv",     "#div/0!", "#wert!",  "#value!",   "#ref!",
+                                        "#num!",   "#name?",  "#null!",  "#bezug!", "#zahl!"};
   constexpr std::size_t longest = 9;
   if (word.size() > 1 && word.find_first_not_of('-') == word.npos) return true;
   if (word.size() > 1 && word.find_first_not_of('*') == word.npos) return true;
   if (word.size() > 2 && word.find_first_not_of('#') == word.npos) return true;
   return word.size() <= longest && std::ranges::find(words, lower(word)) != std::end(words);
-}
-
-// "1,234,567": one to three digits without a leading zero, then groups of three behind `mark`.
-bool is_grouped(std::string_view whole, char mark) {
-  if (whole.starts_with('0') || whole.size() > 19) return false;
-  const std::size_t first = whole.find(mark);
-  if (first == whole.npos || first == 0 || first > 3 || (whole.size() - first) % 4 != 0) return false;
-  for (std::size_t i = 0; i < whole.size(); ++i)
-    if ((i >= first && (i - first) % 4 == 0) ? whole[i] != mark : !is_digit(whole[i])) return false;
-  return true;
 }
 
 // Removes `mark` between thousands before `decimal`; false where it stands elsewhere.
@@ -91,6 +81,15 @@ std::optional<double> plain_number_of(std::string_view word) {
 }
 
 }  // namespace
+
+bool is_grouped(std::string_view whole, char mark) {
+  if (whole.starts_with('0') || whole.size() > 19) return false;
+  const std::size_t first = whole.find(mark);
+  if (first == whole.npos || first == 0 || first > 3 || (whole.size() - first) % 4 != 0) return false;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    if ((i >= first && (i - first) % 4 == 0) ? whole[i] != mark : !is_digit(whole[i])) return false;
+  return true;
+}
 
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());

@@ -7,6 +7,7 @@
 
 #include "formats/raster.hpp"
 #include "formats/refuse.hpp"
+#include "formats/text_encoding.hpp"
 #include "formats/text_labels.hpp"
 #include "formats/text_lines.hpp"
 
@@ -39,7 +40,7 @@ bool excluded(const Characters& text, const Reading& reading, Dialect d) {
   if (told && decimal != (reading.decimal == DecimalMark::comma)) return true;
   if (separator == Separator::comma && comma != Comma::none && !text.quotes) return true;
   if (comma == Comma::decimal_and_points && !text.point) return true;
-  if (comma != Comma::none && !text.comma && !(told && comma == Comma::decimal)) return true;
+  if (comma != Comma::none && !text.comma && !(told && decimal)) return true;
   return !asked && separator != Separator::blank && !text.separators[static_cast<std::size_t>(separator)];
 }
 
@@ -146,6 +147,12 @@ struct Search {
                       "thousands: write one decimal mark, or give asperity-convert the `decimal` mark",
                       comma == Comma::thousands ? "comma" : "point",
                       comma == Comma::thousands ? "points" : "commas"));
+    if (!found->mixed.empty() && !told)
+      throw DataError(variable,
+                      fmt::format("the text is ambiguous: the point of {} is a decimal mark, or between "
+                                  "thousands, for its column has numbers of three digits without one: "
+                                  "give asperity-convert the `decimal` mark",
+                                  quoted(found->mixed)));
     return *std::move(found);
   }
 };
@@ -162,8 +169,7 @@ void check_commas(const Table& found, std::string_view text, const Asked& asked,
 }
 
 Table table_of(std::string_view text, Asked asked, const Reading& reading) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-    throw DataError(asked.variable, "the text is in UTF-16: save it as UTF-8");
+  if (is_utf16(text)) throw DataError(asked.variable, "the text is in UTF-16: save it as UTF-8");
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   const Characters characters(text);
   asked.quotes = characters.quotes;

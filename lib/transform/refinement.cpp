@@ -227,8 +227,8 @@ double refinement_memory(const Grid& grid, Shape factor) {
          (mx * my + nx * my + nx * static_cast<double>(grid.shape.ny) + 8 * (mx + nx) + 12 * (mx + my));
 }
 
-Field refined(const Field& field, const Grid& grid, Shape factor) {
-  return resampled_onto(field, grid, refined_grid(grid, factor));
+Field refined(const Field& field, const Grid& grid, Shape factor, int threads) {
+  return resampled_onto(field, grid, refined_grid(grid, factor), threads);
 }
 
 Field resampled_onto(const Field& field, const Grid& grid, const Grid& target, int threads) {

@@ -33,7 +33,7 @@ double refinement_memory(const Grid& grid, Shape factor);
 
 /// (2), on refined_grid; `field` has the grid's shape. Throws ParameterError("refine") for a factor below 1,
 /// DataError("heights") for values that are not finite.
-Field refined(const Field& field, const Grid& grid, Shape factor);
+Field refined(const Field& field, const Grid& grid, Shape factor, int threads = 1);
 
 /// (1) at the centres of the target's cells, which has the same middle. Throws as `refined` does.
 Field resampled_onto(const Field& field, const Grid& grid, const Grid& target, int threads = 1);

@@ -9,7 +9,8 @@
 ///
 /// Accuracy  round-off for waves of a periodic axis below the limit, and for forms of degree 2 along a free
 ///           one; waves of a free axis as transform/refinement.hpp.
-/// Cost      transforms of each row and column, three times their length on a free axis.
+/// Cost      transforms of each row and column, three times their length on a free axis. Memory: the new
+///           field, one of nx × n'y, and a transform of a row and a column per thread.
 #pragma once
 
 #include "core/field.hpp"

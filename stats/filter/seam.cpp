@@ -62,7 +62,8 @@ Field closed_by_tilt(const Field& z, Axis1D axis) {
 Field closed_by_taper(const Field& z, const Grid& grid, Axis1D axis, double length) {
   const double step = axis == Axis1D::x ? grid.dx : grid.dy,
                whole = axis == Axis1D::x ? grid.size_x() : grid.size_y();
-  check_parameter(length >= step && length <= whole / 2, "taper",
+  constexpr double slack = 1e-9;  // of lengths that were rounded
+  check_parameter(length >= step * (1 - slack) && length <= whole / 2 * (1 + slack), "taper",
                   "'" + shortest(length) + " m' is not from one point, " + shortest(step) +
                       " m, to half the axis, " + shortest(whole / 2) + " m");
   const double level = mean(z);

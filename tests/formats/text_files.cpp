@@ -115,9 +115,63 @@ TEST_CASE("a line says how a text was read", "[formats][text][contract]") {
   CHECK_THAT(format::text.decode("x [um];y [um];z [nm]\n0;0;3\n0,5;0;4\n0;0,5;5\n", {}).understood,
              ContainsSubstring("a map of 2 x 2, points x y z, spacing 5e-07 m, 1 point missing, separated by "
                                "semicolons and decimal commas, below 1 line of words, values in nm"));
-  CHECK_THAT(
-      format::text.decode("1 2\n3 1\n", Order::yx).understood,
-      ContainsSubstring("a line for each y, no size given, separated by blanks, no unit given: metres"));
+  Map map = format::text.decode("1 2\n3 1\n", Order::yx);
+  CHECK_THAT(map.understood,
+             Catch::Matchers::EndsWith("a line for each y, no size given, separated by blanks"));
+  map.spacing = {1, 1};
+  CHECK_THAT(dataset_of(map).notes.at(0), Catch::Matchers::EndsWith("blanks, no unit given: metres assumed"));
+  map.understood.clear();
+  CHECK(dataset_of(map).notes == std::vector<std::string>{"no unit given: metres assumed"});
+  Reading told;
+  told.missing = {"-9999", "999", "xx"};
+  CHECK_THAT(format::text.decode("1 xx\n-9999.0 4\n", told).understood,
+             Catch::Matchers::EndsWith("blanks, no cell is '999'"));
+}
+
+// Above a thousand of other lines, a unit was not seen: heights of 1e-6 m became heights of 1 m.
+TEST_CASE("what comments state counts however many there are", "[formats][text][contract]") {
+  std::string text = "# units: um\n# spacing: 2e-6 3e-6\n# order: yx\n";
+  for (int i = 0; i < 1000; ++i) text += "# a comment\n";
+  const Map map = format::text.decode(text + "1 2\n3 4\n", {});
+  CHECK(same(map.values, 1e-6 * field({{1, 3}, {2, 4}})));
+  CHECK(map.spacing == std::array{2e-6, 3e-6});
+  std::string words = "Height (um)\n";
+  for (int i = 0; i < 1000; ++i) words += "Sample of a series\n";
+  CHECK(same(format::text.decode(words + "1 2\n3 4\n", {}).values, 1e-6 * field({{1, 2}, {3, 4}})));
+  for (int i = 0; i < 65536; ++i) words += "Sample\n";
+  CHECK_THAT(refusal(words + "1 2\n3 4\n"), ContainsSubstring("more than 65536 lines of words"));
+}
+
+// Heights of a German table in whole numbers became a thousandth.
+TEST_CASE("points that may stand between thousands are refused until it is told",
+          "[formats][text][contract]") {
+  for (const char* text : {"481 1.234\n1.500 12.481\n", "x [um];z [nm]\n0;481\n1;1.234\n2;2.056\n"})
+    CHECK_THAT(refusal(text), ContainsSubstring("the point of '1.") && ContainsSubstring("`decimal` mark"));
+  Reading told;
+  told.decimal = DecimalMark::comma;
+  CHECK(same(format::text.decode("481\n1.234\n", told).values, field({{481}, {1234}})));
+  told.decimal = DecimalMark::point;
+  CHECK(same(format::text.decode("481\n1.234\n", told).values, field({{481}, {1.234}})));
+  // A column of one kind, a fourth digit, a zero before the point or another count behind it tell enough.
+  CHECK(same(format::text.decode("1 1.234\n2 2.056\n", {}).values, field({{1, 1.234}, {2, 2.056}})));
+  for (const char* more : {"1234\n", "0.125\n", "1.5\n", "1.2345\n", "1.234e0\n"}) {
+    CAPTURE(more);
+    CHECK(format::text.decode(std::string("481\n1.234\n") + more, {}).values(1, 0) == 1.234);
+  }
+}
+
+// Two maps of a file became one.
+TEST_CASE("blocks of a matrix that empty lines part are refused, an empty line below each is not",
+          "[formats][text][contract]") {
+  for (const char* text : {"4 2\n3 4\n\n9 6\n7 8\n", "1\n2\n \n# second\n3\n", "4 2\n\n3 4\n9 6\n"}) {
+    CAPTURE(text);
+    CHECK_THAT(refusal(text), ContainsSubstring("below an empty line: a file holds one map"));
+  }
+  const Field rows = field({{4, 2}, {3, 4}, {9, 6}});
+  for (const char* text : {"4 2\r\r\n3 4\r\r\n9 6\r\r\n", "\n4 2\n3 4\n9 6\n\n\n", "4 2\n\n\n3 4\n\n9 6\n"})
+    CHECK(same(format::text.decode(text, {}).values, rows));
+  CHECK(same(format::text.decode("x[m] y[m] z[m]\n0 0 4\n0 1 2\n\n1 0 3\n1 1 4\n\n2 0 9\n2 1 6\n", {}).values,
+             rows));
 }
 
 // Such lines were dropped as comments: the map was a row short.

@@ -49,7 +49,7 @@ void write_scene(const std::string& unit, const std::string& name) {
   set_grid(data, grid);
   set_field(data, "heights", 1e-6 * random_field(grid.shape, 1), {"m", "height"});
   set_field(data, "values", random_field(grid.shape, 2), {unit, name});
-  write_dataset(data, "scene.nc");
+  write_dataset(data, "quoted.nc");
 }
 
 bool has_line(const std::string& text, const std::string& line) {
@@ -65,7 +65,7 @@ TEST_CASE("a title stands in the picture letter by letter, whatever gnuplot mean
   write_scene("V", "voltage");
   for (const std::string& title : hard) {
     const Outcome run =
-        shell("asperity-plot scene.nc --kind map -o a.svg --title " + in_shell(title) + "; ls");
+        shell("asperity-plot quoted.nc --kind map -o a.svg --title " + in_shell(title) + "; ls");
     CAPTURE(title, run.error);
     CHECK((run.exit == 0 && run.error.empty()));
     CHECK(has_line(words_of("a.svg"), title));
@@ -77,8 +77,8 @@ TEST_CASE("names of files, units and quantities stand in the picture letter by l
   for (const std::string& text : hard) {
     write_scene(text, "of " + text);
     const Outcome run =
-        shell("cp scene.nc " + in_shell("2 " + text.substr(0, text.find('/')) + ".nc") +
-              "; asperity-plot scene.nc 2*.nc --variable values --kind map -o a.svg; status=$?; rm 2*.nc; "
+        shell("cp quoted.nc " + in_shell("2 " + text.substr(0, text.find('/')) + ".nc") +
+              "; asperity-plot quoted.nc 2*.nc --variable values --kind map -o a.svg; status=$?; rm 2*.nc; "
               "exit $status");
     CAPTURE(text, run.error);
     CHECK((run.exit == 0 && run.error.empty()));
@@ -93,13 +93,13 @@ TEST_CASE("a unit in Latin-1, with control characters or of 100 kB is drawn as a
   write_scene("\xb5m\x1b[31m\n", "h\xf6he");
   for (const char* picture : {"a.svg", "a.png", "a.pdf"}) {
     const Outcome run =
-        shell(std::string("asperity-plot scene.nc --variable values --kind map -o ") + picture);
+        shell(std::string("asperity-plot quoted.nc --variable values --kind map -o ") + picture);
     CAPTURE(picture, run.error);
     CHECK((run.exit == 0 && run.error.empty()));
   }
   CHECK(has_line(words_of("a.svg"), "höhe [µm [31m ]"));
   write_scene(std::string(100000, 'a'), "long");
-  CHECK(shell("asperity-plot scene.nc --variable values --kind map -o a.svg && test $(stat -c %s a.svg) -lt "
+  CHECK(shell("asperity-plot quoted.nc --variable values --kind map -o a.svg && test $(stat -c %s a.svg) -lt "
               "100000")
             .exit == 0);
 }

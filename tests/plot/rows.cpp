@@ -23,7 +23,7 @@ void write_scene(Shape shape) {
   set_depths(data, {0, 1e-6, 3e-6});
   set_volume(data, "von_mises", std::vector<double>(static_cast<std::size_t>(3 * shape.cells()), 1e6),
              {"Pa", "von Mises stress"});
-  write_dataset(data, "scene.nc");
+  write_dataset(data, "row.nc");
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ TEST_CASE("a row of points is drawn along the row, whichever way it runs", "[plo
     const std::string along = shape.nx > 1 ? "x" : "y", across = shape.nx > 1 ? "y" : "x";
     for (const char* kind : {"profile", "section", "von-mises"}) {
       const Outcome run =
-          shell(std::string("asperity-plot scene.nc -o a.svg --kind ") + kind + " && cat a.svg");
+          shell(std::string("asperity-plot row.nc -o a.svg --kind ") + kind + " && cat a.svg");
       CAPTURE(shape.nx, kind, run.error);
       CHECK(run.exit == 0);
       CHECK(run.out.find("<text>" + along + " [") != run.out.npos);
@@ -43,7 +43,7 @@ TEST_CASE("a row of points is drawn along the row, whichever way it runs", "[plo
     }
     for (const char* kind : {"profile", "section"}) {
       const Outcome no =
-          shell("asperity-plot scene.nc -o a.svg --section " + along + "=0 --kind " + std::string(kind));
+          shell("asperity-plot row.nc -o a.svg --section " + along + "=0 --kind " + std::string(kind));
       CAPTURE(shape.nx, kind, no.error);
       CHECK((no.exit == 4 && lines(no.error) == 1));
       CHECK(no.error.find("needs at least two points, found 1") != no.error.npos);
@@ -56,7 +56,7 @@ TEST_CASE("a map of a row or a column is drawn as its profile, one of a point or
           "[plot][law]") {
   for (const Shape shape : {Shape{1, 60}, Shape{60, 1}, Shape{2, 1}, Shape{1, 1}, Shape{2, 60}}) {
     write_scene(shape);
-    const Outcome run = shell("asperity-plot scene.nc -o a.svg --kind map && cat a.svg");
+    const Outcome run = shell("asperity-plot row.nc -o a.svg --kind map && cat a.svg");
     CAPTURE(shape.nx, shape.ny, run.error);
     CHECK((run.exit == 0 && run.error.empty()));
     const bool row = std::min(shape.nx, shape.ny) == 1 && shape.cells() > 1;
@@ -73,7 +73,7 @@ TEST_CASE("a map of a row or a column is drawn as its profile, one of a point or
 TEST_CASE("a surface of two long rows is drawn in perspective, and one of a row refused",
           "[plot][contract]") {
   write_scene({2, 600});
-  const Outcome run = shell("asperity-plot scene.nc -o a.svg --kind surface && cat a.svg");
+  const Outcome run = shell("asperity-plot row.nc -o a.svg --kind surface && cat a.svg");
   CHECK(run.exit == 0);
   std::size_t polygons = 0;
   for (auto at = run.out.find("<polygon"); at != run.out.npos; at = run.out.find("<polygon", at + 1))
@@ -81,7 +81,7 @@ TEST_CASE("a surface of two long rows is drawn in perspective, and one of a row 
   CHECK(polygons >= 100);
   for (const Shape shape : {Shape{1, 60}, Shape{60, 1}, Shape{1, 1}}) {
     write_scene(shape);
-    const Outcome no = shell("asperity-plot scene.nc -o a.svg --kind surface");
+    const Outcome no = shell("asperity-plot row.nc -o a.svg --kind surface");
     CHECK((no.exit == 4 && lines(no.error) == 1));
     CHECK(no.error.find("heights: a perspective view needs at least 2 x 2 points") != no.error.npos);
   }
@@ -89,9 +89,9 @@ TEST_CASE("a surface of two long rows is drawn in perspective, and one of a row 
 
 TEST_CASE("of a single point maps are drawn, and profiles and sections refused by name", "[plot][contract]") {
   write_scene({1, 1});
-  CHECK(shell("asperity-plot scene.nc --kind map -o a.svg").exit == 0);
+  CHECK(shell("asperity-plot row.nc --kind map -o a.svg").exit == 0);
   for (const char* kind : {"profile", "section"}) {
-    const Outcome no = shell(std::string("asperity-plot scene.nc -o a.svg --kind ") + kind);
+    const Outcome no = shell(std::string("asperity-plot row.nc -o a.svg --kind ") + kind);
     CAPTURE(no.error);
     CHECK((no.exit == 4 && lines(no.error) == 1));
     CHECK(no.error.find("needs at least two points, found 1") != no.error.npos);

@@ -112,7 +112,7 @@ TEST_CASE("steps of a file or a variable keep their order, and those of the comm
        "asperity-filter: --steps cannot be combined with"},
       {"asperity-filter map.nc --steps '--level 2'", "asperity-filter: --steps: '--level' is no step"},
       {"asperity-filter map.nc --steps '--scale'", "asperity-filter: --steps: '--scale' needs a value"},
-      {"ASPERITY_FILTER_STEPS='--scale 0' asperity-filter map.nc", "asperity-filter: --scale: '0' is not"},
+      {"ASPERITY_FILTER_STEPS='--scale 0' asperity-filter map.nc", "asperity-filter: ASPERITY_FILTER_STEPS: scale: '0' is not"},
   };
   for (const auto& [line, expected] : refused) {
     const Outcome run = shell(std::string(line) + " -o no.nc");

@@ -75,8 +75,9 @@ Map map_through_gwyddion(std::string_view bytes, const std::string& name, const 
   Reading told = reading;
   told.memory = reading.memory.beside(run.output.size());
   Map map = format::gwy.decode(run.output, told);
-  map.history = fmt::format("{}: gwyddion {} --convert-to-gwy=OUT.gwy {}", timestamp(), version_of(program),
-                            shell_word(name));
+  static const std::string version = version_of(program);
+  map.history =
+      fmt::format("{}: gwyddion {} --convert-to-gwy=OUT.gwy {}", timestamp(), version, shell_word(name));
   return map;
 }
 

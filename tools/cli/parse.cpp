@@ -141,6 +141,8 @@ std::string Tool::origin(const std::string& key) const {
   const CLI::Option* option = app_->get_option_no_throw("--" + key);
   if (!option && std::getenv(key.c_str()) != nullptr) return key;  // no option's variable
   if (!option) return (app_->get_option_no_throw(key) ? "" : "--") + key;
+  const bool step = std::ranges::find(step_options_, option) != step_options_.end();
+  if (step && option->count() == 0) return origin("steps") + ": " + key;
   if (have(arguments_, *option)) return "--" + key;
   if (have(environment_, *option)) return environment_name(name_, key);
   return config_file().empty() || option->count() == 0 ? "--" + key : config_file() + ": " + key;

@@ -86,7 +86,7 @@ struct Files {
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   for (int* file : {&files.output, &files.input, &files.messages, &files.nowhere})
-    *file = ::fcntl(*file, F_DUPFD, beyond);
+    if ((*file = ::fcntl(*file, F_DUPFD, beyond)) < 0) ::_exit(cannot_start);
   ::dup2(files.nowhere, STDIN_FILENO);
   ::dup2(files.messages, STDOUT_FILENO);
   ::dup2(files.messages, STDERR_FILENO);
@@ -114,10 +114,14 @@ bool listen(int fd, std::string& messages, Clock::time_point end) {
   }
 }
 
-// The status of a child that ends in time.
-bool ends(pid_t child, int& status, Clock::time_point end) {
-  for (; Clock::now() < end; std::this_thread::sleep_for(2ms))
-    if (::waitpid(child, &status, WNOHANG) == child) return true;
+// Whether a child ends in time. It is not waited for: until then its number stays that of its group.
+bool ends(pid_t child, Clock::time_point end) {
+  for (; Clock::now() < end; std::this_thread::sleep_for(2ms)) {
+    siginfo_t found{};
+    if (::waitid(P_PID, static_cast<id_t>(child), &found, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        found.si_pid == child)
+      return true;
+  }
   return false;
 }
 
@@ -161,11 +165,10 @@ ProgramRun run_program(const std::string& path, const std::vector<std::string>& 
   ::setpgid(child, child);
   write_end.close();
   ProgramRun out;
-  int status = 0;
   const auto end = Clock::now() + std::chrono::seconds(limits.seconds);
-  const bool in_time = listen(read_end.fd(), out.messages, end) && ends(child, status, end);
+  const bool in_time = listen(read_end.fd(), out.messages, end) && ends(child, end);
   ::kill(-child, SIGKILL);
-  if (!in_time) status = status_of(child);
+  const int status = status_of(child);
   out.end = in_time ? meaning_of(status) : ProgramRun::End::too_long;
   if (out.end == ProgramRun::End::done)
     out.output = Bytes::mapped("/proc/self/fd/" + std::to_string(output.fd()));

@@ -1,5 +1,6 @@
 // Options that are steps: their order counts, and one may come again.
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include <CLI/CLI.hpp>

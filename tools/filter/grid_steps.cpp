@@ -79,10 +79,18 @@ Act crop(const std::string& value) {
 
 ActOnParts crop_in_strips(const std::string& value) {
   return [crop = Crop(value)](FieldParts& parts, std::size_t, const std::string&) {
-    const auto columns = crop.y.of(parts.grid.shape.ny);
+    const Index width = parts.grid.shape.ny;
+    const auto columns = crop.y.of(width);
     parts.grid = crop.of(parts.grid);
-    parts.rows = [columns, begin = crop.x.begin, rows = parts.rows](Index first, Index count) -> Field {
-      return rows(begin + first, count)(Eigen::all, columns);
+    // Read in blocks that are no larger than the part asked for, whatever the width of the whole.
+    parts.rows = [=, begin = crop.x.begin, rows = parts.rows](Index first, Index count) {
+      Field out(count, columns.size());
+      const Index most = std::max<Index>(1, count * columns.size() / width);
+      for (Index i = 0; i < count; i += most) {
+        const Index block = std::min(most, count - i);
+        out.middleRows(i, block) = rows(begin + first + i, block)(Eigen::all, columns);
+      }
+      return out;
     };
     return now_has(parts.grid);
   };
@@ -134,7 +142,7 @@ Act refine(const std::string& value) {
     tool.require_memory(refinement_memory(surface.grid, factor) +
                             written * static_cast<double>(fine.shape.nx) * static_cast<double>(fine.shape.ny),
                         "refine", value + ": a map of " + text(fine.shape) + " points");
-    surface.heights = refined(surface.heights, surface.grid, factor);
+    surface.heights = refined(surface.heights, surface.grid, factor, tool.thread_count());
     surface.grid = fine;
     return now_has(surface.grid);
   };
@@ -146,7 +154,9 @@ Act respace(const std::string& value) {
     refuse_holes("spacing", surface);
     const Grid grid = resampled_grid(surface.grid, spacing[0], spacing[1]);
     constexpr double taken = 48;  // bytes a point, with a transform and as it is encoded
-    tool.require_memory(taken * static_cast<double>(grid.shape.nx) * static_cast<double>(grid.shape.ny),
+    const auto columns = static_cast<double>(grid.shape.ny);
+    tool.require_memory(columns * (taken * static_cast<double>(grid.shape.nx) +
+                                   8 * static_cast<double>(surface.grid.shape.nx)),
                         "spacing", "a map of " + text(grid.shape) + " points");
     surface.heights = resampled(surface.heights, surface.grid, spacing[0], spacing[1], tool.thread_count());
     surface.grid = grid;
@@ -159,6 +169,9 @@ Act respace(const std::string& value) {
 Act rotate(const std::string& value) {
   return [angle = parse_angle("rotate", value)](const Tool& tool, Surface& surface) -> Account {
     const Grid grid = rotated_grid(surface.grid, angle);
+    constexpr double taken = 32;  // bytes a point, with the map that is turned and as it is encoded
+    tool.require_memory(taken * static_cast<double>(grid.shape.cells()), "rotate",
+                        "a map of " + text(grid.shape) + " points");
     surface.heights = rotated(surface.heights, surface.grid, angle, tool.thread_count());
     surface.grid = grid;
     const Index outside = missing_in(surface.heights);
