@@ -20,6 +20,7 @@ Surface surface_of(const Dataset& data, const std::string& variable) {
   return {.grid = grid_of(data),
           .heights = field_of(data, variable, Missing::not_a_number),
           .degree = cli::removed_degree(data, variable),
+          .filled = cli::filled_share(data, variable),
           .variable = variable,
           .units = si_unit_of(data.at(variable))};
 }
@@ -97,8 +98,9 @@ class Filter {
     Surface surface = surface_of(data, variable_);
     auto [lines, converged] = chain_(tool_, surface);
     const int degree = surface.degree;
+    const double filled = surface.filled;
     if (!is_map_of(data, surface)) replace(tool_, data, std::move(surface));
-    cli::set_removed_degree(data, degree);
+    cli::set_preparation(data, degree, filled);
     tool_.remember(std::move(lines));
     tool_.write(data, name);
     if (!converged) code_ = std::max<int>(code_, cli::not_converged);
@@ -129,20 +131,15 @@ int main(int argc, char** argv) {
   tool.memory(
       "Memory limit for the map. A NetCDF file larger than an eighth of it passes in strips through "
       "--remove-form of a polynomial, --crop, --decimate, --mirror and --scale; other steps need the whole "
-      "map "
-      "and are then refused if --memory is given");
+      "map and are then refused if --memory is given");
   tool.example(
       "asperity-filter map.x3p --remove-form plane --outliers 5 --fill laplace --lambda-s 8um --lambda-c "
-      "0.8mm "
-      "| asperity-stats");
+      "0.8mm | asperity-stats");
   tool.accuracy(
       "Polynomial forms, quarter turns, mirrors, cuts, and the Gaussian filter of a periodic map are exact "
-      "to "
-      "round-off. Elsewhere a filter is less exact within a cut-off of an edge or of a hole. Parameters of "
-      "the "
-      "written map are those that asperity-stats measures with the same --remove-form, --lambda-s and "
-      "--lambda-c, "
-      "to round-off.");
+      "to round-off. Elsewhere a filter is less exact within a cut-off of an edge or of a hole. Parameters "
+      "of the written map are those that asperity-stats measures with the same --remove-form, --lambda-s and "
+      "--lambda-c, to round-off.");
   tool.essential({"INPUT", "--remove-form", "--lambda-s", "--lambda-c", "--outliers", "--fill", "--crop",
                   "--rotate", "--output"});
   return tool.run(argc, argv, [&] { return Filter(tool, variable)(surfaces); });

@@ -80,6 +80,7 @@ constexpr KnownAttribute attributes[] = {
     {"generate_acf_error_expected", achieved, "1", "expected error of the autocorrelation", true},
     {"generate_seconds", achieved, "s", "time"},
     {"filter_form_degree", parameter, "1", "degree of the form that was removed"},
+    {"filter_filled_share", parameter, "1", "share of the points that were filled"},
     {"acf_variable", other, "", "measured field"},
     {"acf_surfaces", other, "1", "surfaces in the mean"},
     {"acf_variance", other, "m2", "variance"},

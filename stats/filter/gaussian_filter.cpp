@@ -13,12 +13,12 @@ namespace asperity {
 
 void check_cutoff(const Grid& grid, double cutoff) {
   if (!(cutoff > 0 && std::isfinite(cutoff)))
-    throw ParameterError("cut-off", "'" + shortest(cutoff) + " m' is not a positive length");
+    throw ParameterError("cut-off", "'" + in_digits(cutoff, 12) + " m' is not a positive length");
   for (const auto& [axis, n, spacing] :
        {std::tuple{"x", grid.shape.nx, grid.dx}, std::tuple{"y", grid.shape.ny, grid.dy}})
     if (n > 1 && cutoff < 2 * spacing)
-      throw ParameterError("cut-off", "'" + shortest(cutoff) + " m' is below two samples along " + axis +
-                                          ", " + shortest(2 * spacing) + " m");
+      throw ParameterError("cut-off", "'" + in_digits(cutoff, 12) + " m' is below two samples along " + axis +
+                                          ", " + in_digits(2 * spacing, 12) + " m");
 }
 
 Field gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int threads) {

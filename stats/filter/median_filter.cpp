@@ -141,7 +141,7 @@ Shape median_window(const Grid& grid, double width) {
       2 * std::min(grid.shape.nx > 2 ? grid.dx : HUGE_VAL, grid.shape.ny > 2 ? grid.dy : HUGE_VAL);
   check_parameter(
       width * (1 + 1e-12) >= least && std::isfinite(width), "median",
-      "'" + shortest(width) + " m' is not finite or below two samples, " + shortest(least) + " m");
+      "'" + in_digits(width, 12) + " m' is not finite or below two samples, " + in_digits(least, 12) + " m");
   return {points(grid.dx, grid.shape.nx), points(grid.dy, grid.shape.ny)};
 }
 

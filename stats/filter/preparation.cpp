@@ -12,6 +12,27 @@
 #include "stats/filter/spline_filter.hpp"
 
 namespace asperity {
+namespace {
+
+// Σ passed(1/λ) over the waves that a form takes.
+template <class Passed>
+double waves_taken(const Grid& grid, int degree, Passed passed) {
+  const auto [nx, ny] = grid.shape;
+  double sum = 0;
+  for (int a = 0; a <= (nx > 1 ? degree : 0); ++a)
+    for (int b = 0; b <= (ny > 1 ? degree - a : 0); ++b)
+      if (a + b > 0) sum += passed(std::hypot(a / (2 * grid.size_x()), b / (2 * grid.size_y())));
+  return sum;
+}
+
+int nearest_degree(const Grid& grid, double waves) {
+  const auto of = [&](int degree) { return waves_taken(grid, degree, [](double) { return 1; }); };
+  int degree = 0;
+  while (waves > (of(degree) + of(degree + 1)) / 2) ++degree;
+  return degree;
+}
+
+}  // namespace
 
 std::string Form::words() const {
   if (kind != Kind::polynomial) return kind == Kind::sphere ? "sphere" : "cylinder";
@@ -35,8 +56,19 @@ MeanSurface mean_surface(const Field& z, const Grid& grid, const Cutoff& cutoff,
   if (!found.converged)
     doubt = "the robust filter has not converged: its last step, of " + std::to_string(found.steps) +
             ", moved the surface by an rms of " + in_digits(found.change / found.width, 3) +
-            " of the width of its weights";
+            " of the width of its weights; a longer cut-off converges";
   return {std::move(found.surface), std::move(doubt)};
+}
+
+int degree_on_part(int degree, const Grid& grid, double share) {
+  return nearest_degree(grid, share * waves_taken(grid, degree, [](double) { return 1; }));
+}
+
+int degree_behind(int degree, const Grid& grid, const Cutoff& longer) {
+  const auto passed = [&](double waves) {
+    return std::pow(1 - std::exp2(-std::pow(longer.wavelength * waves, 2)), 2);
+  };
+  return nearest_degree(grid, waves_taken(grid, degree, passed));
 }
 
 }  // namespace asperity

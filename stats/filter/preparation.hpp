@@ -55,4 +55,10 @@ struct MeanSurface {
 /// The waves longer than the cut-off. Throws ParameterError("cut-off") as the filters do.
 MeanSurface mean_surface(const Field& z, const Grid& grid, const Cutoff& cutoff, int threads = 1);
 
+/// A form of degree d has taken M = (d+1)(d+2)/2 - 1 waves besides the mean, of lengths (a/2Lx, b/2Ly)⁻¹ or
+/// so, a + b ≤ d; of one row d. From a part of the field, by its share of the area, and from what an L-filter
+/// leaves, by the power that it passes of each wave, it has taken fewer: the degree with the nearest number.
+int degree_on_part(int degree, const Grid& grid, double share);
+int degree_behind(int degree, const Grid& grid, const Cutoff& longer);
+
 }  // namespace asperity

@@ -15,8 +15,8 @@ void resample_axis(Index& points, double& step, bool periodic, double target) {
   const double length = static_cast<double>(points) * step, cells = length / target;
   constexpr double most = std::numeric_limits<int>::max() / 2;
   check_parameter(target > 0 && cells >= 2 * (1 - 1e-12) && cells <= most, "spacing",
-                  "'" + shortest(target) + " m' is not from " + number(length / most) +
-                      " m to half the axis, " + shortest(length / 2) + " m");
+                  "'" + in_digits(target, 12) + " m' is not from " + number(length / most) +
+                      " m to half the axis, " + in_digits(length / 2, 12) + " m");
   points = static_cast<Index>(periodic ? std::round(cells) : std::floor(cells * (1 + 1e-12)));
   step = periodic ? length / static_cast<double>(points) : target;
 }

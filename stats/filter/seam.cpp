@@ -64,8 +64,8 @@ Field closed_by_taper(const Field& z, const Grid& grid, Axis1D axis, double leng
                whole = axis == Axis1D::x ? grid.size_x() : grid.size_y();
   constexpr double slack = 1e-9;  // of lengths that were rounded
   check_parameter(length >= step * (1 - slack) && length <= whole / 2 * (1 + slack), "taper",
-                  "'" + shortest(length) + " m' is not from one point, " + shortest(step) +
-                      " m, to half the axis, " + shortest(whole / 2) + " m");
+                  "'" + in_digits(length, 12) + " m' is not from one point, " + in_digits(step, 12) +
+                      " m, to half the axis, " + in_digits(whole / 2, 12) + " m");
   const double level = mean(z);
   return by_rows(z, axis, [=](auto row, Index i) {
     const double along = (static_cast<double>(i) + 0.5) * step, s = std::min(along, whole - along);

@@ -33,7 +33,10 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   surface.heights = without_form(surface.heights, surface.grid, form, threads).heights;
   surface.degree = std::max(surface.degree, form.modes());
   if (shorter.given()) surface.heights = waves_beyond(surface, "lambda-s", shorter, threads);
-  if (longer.given()) surface.heights -= waves_beyond(surface, "lambda-c", longer, threads);
+  if (longer.given()) {
+    surface.heights -= waves_beyond(surface, "lambda-c", longer, threads);
+    surface.degree = degree_behind(surface.degree, surface.grid, longer);
+  }
   if (preparation.filters()) {
     surface.heights -= mean(surface.heights);
     surface.correlation.reset(), surface.distribution.reset();

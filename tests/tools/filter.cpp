@@ -108,6 +108,27 @@ TEST_CASE("a missing point is filled by a membrane, the mean or the least height
   CHECK(value("least") == 0);
 }
 
+TEST_CASE("--decimate of one number thins both axes", "[filter][exact]") {
+  write_map(rough(), grid, "map.nc");
+  filtered("--decimate 3", "one.nc");
+  filtered("--decimate 3x3", "two.nc");
+  CHECK(same_bits(heights_in("one.nc"), heights_in("two.nc")));
+}
+
+// The ball of a quarter of the map on a plane, and a taper: neither is what it seems.
+TEST_CASE("a step that leaves more than it removes, or fades heights, says so", "[filter][contract]") {
+  const Grid square{{64, 64}, 1e-6, 1e-6};
+  const Field ball =
+      sample(square, [](double x, double y) { return std::sqrt(std::max(0.0, 400e-12 - x * x - y * y)); });
+  write_map(ball, square, "map.nc");
+  CHECK_THAT(require("asperity-filter map.nc --remove-form sphere -o out.nc").error,
+             ContainsSubstring("no more was removed than is left: --crop the map to the sphere"));
+  CHECK_THAT(require("asperity-filter map.nc --crop 24:40,24:40 --remove-form sphere -o out.nc").error,
+             !ContainsSubstring("--crop the map"));
+  CHECK_THAT(require("asperity-filter map.nc --make-periodic x,taper=9um -o out.nc").error,
+             ContainsSubstring("errors of parameters are too large"));
+}
+
 TEST_CASE("outliers become missing and are counted, and other points stay as they are", "[filter][exact]") {
   Field z = rough();
   for (const auto& [i, j] : {std::pair<Index, Index>{4, 5}, {20, 11}, {0, 23}}) z(i, j) = 1e-3;

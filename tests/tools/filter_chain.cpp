@@ -65,7 +65,7 @@ TEST_CASE("a filtered map measures as the raw one does with the same options, to
   for (const char* steps :
        {"--remove-form plane", "--remove-form 3", "--remove-form plane --lambda-s 4um",
         "--remove-form plane --lambda-s 4um --lambda-c 40um", "--lambda-s 4um,spline --lambda-c 40um,robust",
-        "--remove-form 2 --lambda-c 40um"}) {
+        "--remove-form 2 --lambda-c 30um"}) {
     CAPTURE(steps);
     const std::string measure = " --errors theory --parameters height,material,hybrid,spatial --json ";
     Json raw = Json::parse(require("asperity-stats -q map.nc" + measure + steps).out);
@@ -112,7 +112,8 @@ TEST_CASE("steps of a file or a variable keep their order, and those of the comm
        "asperity-filter: --steps cannot be combined with"},
       {"asperity-filter map.nc --steps '--level 2'", "asperity-filter: --steps: '--level' is no step"},
       {"asperity-filter map.nc --steps '--scale'", "asperity-filter: --steps: '--scale' needs a value"},
-      {"ASPERITY_FILTER_STEPS='--scale 0' asperity-filter map.nc", "asperity-filter: ASPERITY_FILTER_STEPS: scale: '0' is not"},
+      {"ASPERITY_FILTER_STEPS='--scale 0' asperity-filter map.nc",
+       "asperity-filter: ASPERITY_FILTER_STEPS: scale: '0' is not"},
   };
   for (const auto& [line, expected] : refused) {
     const Outcome run = shell(std::string(line) + " -o no.nc");
@@ -176,6 +177,54 @@ TEST_CASE("a map larger than memory passes in strips with the same heights, or i
   CHECK(run.exit == 2);
   CHECK_THAT(run.error, StartsWith("asperity-filter: --memory: the file's ") &&
                             ContainsSubstring("but --median 3px needs the whole field; allow more\n"));
+}
+
+// Errors of a variable that became the map were 14 times too small for the form of the heights, and a form of the
+// whole stood for a part of it.
+TEST_CASE("what a map has lost stays with it: a form, by its share, and measured points",
+          "[filter][contract]") {
+  require(draw);
+  const auto number = [](const std::string& file, const std::string& name) {
+    return read_dataset(file).attributes.number(name, 0);
+  };
+  require("asperity-filter -q map.nc --remove-form 6 -o form.nc");
+  Dataset data = read_dataset("form.nc");
+  set_field(data, "other", random_field({96, 64}, 1), {"V", "other"});
+  write_dataset(data, "form.nc");
+  require("asperity-filter -q form.nc --variable other --scale 2 -o other.nc");
+  CHECK(number("form.nc", "filter_form_degree") == 6);
+  CHECK(number("other.nc", "filter_form_degree") == 0);
+  for (const std::string memory : {"", " --memory 200kB"}) {
+    require("asperity-filter -q form.nc --crop 0:48,0:32" + memory + " -o part.nc");
+    CHECK(number("part.nc", "filter_form_degree") == 2);
+  }
+  require("asperity-filter -q form.nc --lambda-c 8um -o short.nc");
+  CHECK(number("short.nc", "filter_form_degree") == 0);
+  // Filled points.
+  Field z = heights_in("map.nc");
+  z.block(3, 4, 8, 12).setConstant(NAN);
+  write_map(z, {{96, 64}, 1e-6, 1e-6}, "holes.nc");
+  require(
+      "asperity-filter -q holes.nc --fill laplace --scale 2 -o filled.nc; asperity-filter -q filled.nc "
+      "--scale 2 --memory 200kB -o again.nc");
+  for (const char* file : {"filled.nc", "again.nc"}) {
+    CHECK(number(file, "filter_filled_share") == 1.0 / 64);
+    const Outcome run = require(std::string("asperity-stats --errors theory ") + file);
+    CHECK_THAT(run.error,
+               ContainsSubstring("1.6 % of the points were filled; errors take them for measured"));
+  }
+}
+
+// Both take more than the map that they make or are made of: 2900 x 2900 points, 4096 x 16384 between two steps.
+TEST_CASE("a step that would take more than memory is refused before it", "[filter][contract]") {
+  write_map(random_field({4096, 4}, 1), {{4096, 4}, 1e-6, 1e-6}, "long.nc");
+  for (const std::string step : {"--rotate 45deg", "--spacing 2048um,0.000244140625um"}) {
+    const Outcome run = shell("asperity-filter long.nc --memory 100MB -o no.nc " + step);
+    CAPTURE(step, run.error);
+    CHECK(run.exit == 2);
+    CHECK_THAT(run.error, StartsWith("asperity-filter: " + step.substr(0, step.find(' '))) &&
+                              ContainsSubstring("points needs some"));
+  }
 }
 
 TEST_CASE("a field besides heights becomes the map, in its unit, and results of the former one are dropped",

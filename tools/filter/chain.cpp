@@ -79,11 +79,4 @@ std::vector<std::string> Chain::operator()(const Tool& tool, FieldParts& parts,
   return out;
 }
 
-int Chain::degree() const {
-  int out = 0;
-  for (const Link& link : links_)
-    if (link.option == "remove-form") out = std::max(out, parse_form(link.option, link.value).modes());
-  return out;
-}
-
 }  // namespace asperity::cli

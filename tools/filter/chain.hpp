@@ -24,8 +24,6 @@ class Chain {
   std::string needs_whole_map() const;
   /// The lines, of steps on the parts of a map.
   std::vector<std::string> operator()(const Tool& tool, FieldParts& parts, const std::string& units) const;
-  /// Of the polynomials that are removed.
-  int degree() const;
 
  private:
   struct Link {

@@ -29,10 +29,14 @@ Act without_form(const std::string& value) {
     WithoutForm found = asperity::without_form(surface.heights, surface.grid, form, tool.thread_count());
     const Field former = std::exchange(surface.heights, std::move(found.heights));
     surface.degree = std::max(surface.degree, form.modes());
-    std::string words = words_of(found, form.kind) + removed(former, surface.heights, surface.units);
+    Removal removal;
+    removal.add(former, surface.heights);
+    std::string words = words_of(found, form.kind) + removal.words(surface.units);
     if (const Index lost = missing_in(surface.heights) - missing_in(former); lost > 0)
       words += "; " + share_of(lost, former.size()) + " lie beyond it and are missing now";
-    return {words};
+    const bool poor = form.kind != Form::Kind::polynomial && !removal.most();
+    if (poor) words += "; no more was removed than is left: --crop the map to the " + form.words();
+    return {words, poor};
   };
 }
 
@@ -41,6 +45,7 @@ ActOnParts without_form_in_strips(const std::string& value) {
   if (form.kind != Form::Kind::polynomial) return {};
   return [form](FieldParts& parts, std::size_t memory, const std::string& units) -> Account {
     const auto above = std::make_shared<StripReader>(parts, form.degree, memory);
+    parts.degree = std::max(parts.degree, form.degree);
     Removal removal;
     above->for_each_strip(
         0, [&](const Field& strip, Index core, Index first) { removal.add(parts.rows(first, core), strip); });
@@ -55,6 +60,7 @@ Account filtered(const std::string& option, const Cutoff& cutoff, const Tool& to
   check_cutoff(option, cutoff, surface.grid);
   warn_of_cutoff(tool, cutoff, surface.grid);
   MeanSurface waves = mean_surface(surface.heights, surface.grid, cutoff, tool.thread_count());
+  if (!longer_stay) surface.degree = degree_behind(surface.degree, surface.grid, cutoff);
   const Field former = std::exchange(
       surface.heights, longer_stay ? std::move(waves.surface) : Field(surface.heights - waves.surface));
   return {removed(former, surface.heights, surface.units), false, waves.doubt};

@@ -59,6 +59,9 @@ struct Crop {
     if (words.size() != 2) throw UsageError("crop", "'" + value + "' is not of the form A:B,C:D");
     x = range_of(words[0]), y = range_of(words[1]);
   }
+  double share(const Grid& grid) const {
+    return static_cast<double>(of(grid).shape.cells()) / static_cast<double>(grid.shape.cells());
+  }
   // A part of a period is not periodic.
   Grid of(Grid grid) const {
     const Shape now{x.of(grid.shape.nx).size(), y.of(grid.shape.ny).size()};
@@ -71,6 +74,7 @@ struct Crop {
 Act crop(const std::string& value) {
   return [crop = Crop(value)](const Tool&, Surface& surface) {
     const auto [nx, ny] = surface.grid.shape;
+    surface.degree = degree_on_part(surface.degree, surface.grid, crop.share(surface.grid));
     surface.grid = crop.of(surface.grid);
     surface.heights = surface.heights(crop.x.of(nx), crop.y.of(ny)).eval();
     return now_has(surface.grid);
@@ -81,6 +85,7 @@ ActOnParts crop_in_strips(const std::string& value) {
   return [crop = Crop(value)](FieldParts& parts, std::size_t, const std::string&) {
     const Index width = parts.grid.shape.ny;
     const auto columns = crop.y.of(width);
+    parts.degree = degree_on_part(parts.degree, parts.grid, crop.share(parts.grid));
     parts.grid = crop.of(parts.grid);
     // Read in blocks that are no larger than the part asked for, whatever the width of the whole.
     parts.rows = [=, begin = crop.x.begin, rows = parts.rows](Index first, Index count) {
@@ -109,8 +114,13 @@ Grid thinned(const Grid& grid, Shape step) {
           {grid.periodic.x && nx % step.nx == 0, grid.periodic.y && ny % step.ny == 0}};
 }
 
+// "A" for both, or "AxB".
+Shape factors(const char* option, const std::string& value, const Bounds& bounds) {
+  return parse_counts(option, value.find('x') == value.npos ? value + "x" + value : value, bounds);
+}
+
 Act decimate(const std::string& value) {
-  return [step = parse_counts("decimate", value, 1)](const Tool&, Surface& surface) {
+  return [step = factors("decimate", value, 1)](const Tool&, Surface& surface) {
     surface.grid = thinned(surface.grid, step);
     const auto [nx, ny] = surface.grid.shape;
     surface.heights = surface.heights(Eigen::seqN(0, nx, step.nx), Eigen::seqN(0, ny, step.ny)).eval();
@@ -119,7 +129,7 @@ Act decimate(const std::string& value) {
 }
 
 ActOnParts decimate_in_strips(const std::string& value) {
-  return [step = parse_counts("decimate", value, 1)](FieldParts& parts, std::size_t, const std::string&) {
+  return [step = factors("decimate", value, 1)](FieldParts& parts, std::size_t, const std::string&) {
     parts.grid = thinned(parts.grid, step);
     parts.rows = [step, ny = parts.grid.shape.ny, rows = parts.rows](Index first, Index count) {
       Field out(count, ny);
@@ -132,8 +142,7 @@ ActOnParts decimate_in_strips(const std::string& value) {
 }
 
 Act refine(const std::string& value) {
-  const Shape factor =
-      parse_counts("refine", value.find('x') == value.npos ? value + "x" + value : value, {1, 1024});
+  const Shape factor = factors("refine", value, {1, 1024});
   return [factor, value](const Tool& tool, Surface& surface) {
     if (factor == Shape{1, 1}) return now_has(surface.grid);
     refuse_holes("refine", surface);
@@ -216,8 +225,8 @@ std::vector<StepKind> grid_steps() {
       {"crop", "A:B,C:D",
        "Keep points A to B-1 in x and C to D-1 in y; the first point is 0, an omitted end is the map's edge",
        group, crop, crop_in_strips},
-      {"decimate", "AxB", "Keep every A-th point in x and every B-th in y", group, decimate,
-       decimate_in_strips},
+      {"decimate", "AxB", "Keep every A-th point in x and every B-th in y, or every A-th in both", group,
+       decimate, decimate_in_strips},
       {"refine", "AxB",
        "Put A times as many points in x and B times in y, or A for both, between those of the map, by its "
        "own waves: trigonometric interpolation of a periodic map, mirrored cosines above a form of degree 2 "

@@ -61,14 +61,17 @@ void filter_in_strips(Tool& tool, const Chain& chain, const std::string& path, c
   const FieldFile file(path, variable, tool.memory_bound());
   Dataset data = file.dataset();
   tool.settle(data, path);
-  FieldParts parts{file.grid(), [&](Index first, Index count) { return file.rows(first, count); }, {}};
+  FieldParts parts{file.grid(),
+                   [&](Index first, Index count) { return file.rows(first, count); },
+                   {},
+                   removed_degree(data, variable)};
   const Inventory before(data);
-  const int degree = std::max(removed_degree(data, variable), chain.degree());
   tool.remember(chain(tool, parts, si_unit_of(data.at(variable))));
+  const double share = filled_share(data, variable);
   Survey survey;
   for_each_strip(parts, tool.memory(), [&](const Field& strip) { survey.add(strip); });
   put_map(data, parts, survey, variable);
-  set_removed_degree(data, degree);
+  set_preparation(data, parts.degree, share);
   before.tell(tool, data, "map");
   tool.sign(data);
   DatasetStream out(output);

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "formats/fill.hpp"
+#include "stats/filter/fill.hpp"
 #include "stats/filter/median_filter.hpp"
 #include "stats/filter/morphology.hpp"
 #include "tools/filter/step.hpp"
@@ -92,6 +92,7 @@ Act fill(const std::string& value) {
   return [filling = static_cast<Filling>(word - fillings.begin())](const Tool&, Surface& surface) -> Account {
     const Index holes = missing_in(surface.heights);
     surface.heights = filled(std::move(surface.heights), surface.grid, filling);
+    surface.filled += static_cast<double>(holes) / static_cast<double>(surface.heights.size());
     return {"filled " + share_of(holes, surface.heights.size())};
   };
 }

@@ -62,15 +62,16 @@ std::string close(Surface& surface, const Seam& seam, Axis1D axis) {
 
 const std::string seam_text =
     "Let the map repeat along AXIS: x, y or both. The jump at the seam is told. HOW makes it smaller; tilt: "
-    "by "
-    "a tilt that removes its mean, taper=LENGTH: by fading the heights to their mean within LENGTH of both "
-    "ends; x,tilt";
+    "by a tilt that removes its mean, taper=LENGTH: by fading the heights to their mean within LENGTH of "
+    "both ends; x,tilt";
 
 Act make_periodic(const std::string& value) {
   return [seam = seam_of(value)](const Tool&, Surface& surface) -> Account {
     std::string words;
     if (seam.x) words = close(surface, seam, Axis1D::x);
     if (seam.y) words += (words.empty() ? "" : "; ") + close(surface, seam, Axis1D::y);
+    if (seam.how == Closing::taper)
+      words += "; heights are lower there, so that errors of parameters are too large";
     return {words, true};
   };
 }

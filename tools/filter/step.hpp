@@ -46,6 +46,8 @@ class Removal {
   void add(const Field& before, const Field& after);
   /// "removed 3.2um rms about a mean of 12um; 0.4um rms is left".
   std::string words(const std::string& units) const;
+  /// Whether more went than is left, by their rms.
+  bool most() const { return gone_.rms() > left_.rms(); }
 
  private:
   struct Spread {

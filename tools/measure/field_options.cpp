@@ -56,6 +56,7 @@ void FieldOptions::declare_field(Tool& tool) {
 Surface FieldOptions::without_heights(const Dataset& data) const {
   Surface out{.grid = grid_of(data),
               .degree = removed_degree(data, variable),
+              .filled = filled_share(data, variable),
               .variable = variable,
               .units = si_unit_of(data.at(variable))};
   const bool as_drawn = !asked.filters();
@@ -80,6 +81,9 @@ Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
   check_cutoffs(tool, asked, surface.grid);
   surface = prepared(std::move(surface), asked, tool.thread_count());
   for (const std::string& doubt : surface.doubts) tool.warn(doubt);
+  if (surface.filled > 0)
+    tool.warn(in_digits(100 * surface.filled, 2) +
+              " % of the points were filled; errors take them for measured, and are too small");
   return surface;
 }
 

@@ -15,7 +15,11 @@ constexpr std::pair<const char*, Cutoff::Filter> filters[] = {{"gaussian", Cutof
                                                               {"robust", Cutoff::Filter::robust},
                                                               {"spline", Cutoff::Filter::spline}};
 
-constexpr std::string_view degree_attribute = "filter_form_degree";
+constexpr std::string_view degree_attribute = "filter_form_degree", filled_attribute = "filter_filled_share";
+
+double of_map(const Dataset& data, std::string_view variable, std::string_view attribute) {
+  return variable == "heights" || variable == "values" ? data.attributes.number(attribute, 0) : 0;
+}
 
 std::string metres(double length) { return format_quantity(length, "m"); }
 
@@ -52,13 +56,20 @@ Cutoff parse_cutoff(const std::string& option, const std::string& text) {
 }
 
 int removed_degree(const Dataset& data, std::string_view variable) {
-  if (variable != "heights" && variable != "values") return 0;
-  const double degree = data.attributes.number(degree_attribute, 0);
+  const double degree = of_map(data, variable, degree_attribute);
   return degree >= 0 && degree <= largest_form_degree ? static_cast<int>(degree) : 0;
 }
 
-void set_removed_degree(Dataset& data, int degree) {
-  if (degree > 0) data.attributes.set(degree_attribute, degree);
+double filled_share(const Dataset& data, std::string_view variable) {
+  return std::clamp(of_map(data, variable, filled_attribute), 0.0, 1.0);
+}
+
+void set_preparation(Dataset& data, int degree, double filled) {
+  for (const auto& [name, value] :
+       {std::pair(degree_attribute, double(degree)), {filled_attribute, filled}}) {
+    data.attributes.erase(name);
+    if (value > 0) data.attributes.set(name, value);
+  }
 }
 
 void check_cutoff(const std::string& option, const Cutoff& cutoff, const Grid& grid) {

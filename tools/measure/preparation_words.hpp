@@ -23,7 +23,10 @@ Cutoff parse_cutoff(const std::string& option, const std::string& text);
 
 /// The degree of the form that asperity-filter removed from the map of a dataset; 0: none.
 int removed_degree(const Dataset& data, std::string_view variable);
-void set_removed_degree(Dataset& data, int degree);
+/// The share of its points that asperity-filter has filled.
+double filled_share(const Dataset& data, std::string_view variable);
+/// Sets the two for a map.
+void set_preparation(Dataset& data, int degree, double filled);
 
 /// Throws UsageError(option, …) for a cut-off beyond the longer side of the field, where a filter separates
 /// nothing.

@@ -1,4 +1,4 @@
-#include "formats/fill.hpp"
+#include "stats/filter/fill.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,6 +12,12 @@ namespace asperity {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
+
+// Across the seam of a periodic axis; -1 beyond the edge of another.
+Index place(Index k, Index n, bool periodic) {
+  if (k >= 0 && k < n) return k;
+  return periodic ? (k + n) % n : -1;
+}
 
 // Solves (1) for the missing points, in the order of the field.
 Eigen::VectorXd membrane(const Field& z, const Grid& grid) {
@@ -28,8 +34,9 @@ Eigen::VectorXd membrane(const Field& z, const Grid& grid) {
       if (row < 0) continue;
       double sum = 0;
       for (const auto& [di, dj] : steps) {
-        const Index p = i + di, q = j + dj;
-        if (p < 0 || q < 0 || p >= z.rows() || q >= z.cols()) continue;
+        const Index p = place(i + di, z.rows(), grid.periodic.x),
+                    q = place(j + dj, z.cols(), grid.periodic.y);
+        if (p < 0 || q < 0) continue;
         const double weight = weights[di == 0];
         sum += weight;
         if (number(p, q) >= 0)
