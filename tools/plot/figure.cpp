@@ -139,7 +139,7 @@ class Writer {
   double below_title(double x) const {
     double lines = 0;
     for (const std::string& line : at_.title)
-      if (std::abs(x - title_centre()) < 0.5 * length_of(line) * em_ + em_)
+      if (std::abs(x - title_centre()) < 0.5 * length_of(line) * em_ + 0.3 * em_)
         lines = static_cast<double>(at_.title.size());
     return static_cast<double>(at_.pixels.ny) - line_of_title * em_ * lines;
   }

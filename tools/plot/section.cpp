@@ -196,13 +196,14 @@ std::string default_title(const Cuts& cuts, const Unit& value) {
                            brief(largest / value.factor), value.name.empty() ? "" : " ", value.name);
 }
 
-// A black cross with a white rim, on any colour.
+// A black cross with a white rim, on any colour; before a disc, for lines of symbols are thin in SVG.
 void add_mark(Panel& panel, const Mark& mark, const Unit& along, const Unit& depth) {
   if (mark.value == 0) return;
   const Field at{{mark.along / along.factor, mark.depth / depth.factor}};
-  for (const char* style : {"pointsize 0.95*dot linewidth 3.8 linecolor rgb 'white'",
-                            "pointsize 0.8*dot linewidth 1.5 linecolor rgb 'black'"})
-    panel.layers.push_back(points(at, std::string("with points pointtype 1 ") + style));
+  for (const char* style : {"pointtype 7 pointsize 0.5*dot linecolor rgb 'white'",
+                            "pointtype 1 pointsize 0.95*dot linewidth 3.8 linecolor rgb 'white'",
+                            "pointtype 1 pointsize 0.8*dot linewidth 1.5 linecolor rgb 'black'"})
+    panel.layers.push_back(points(at, std::string("with points ") + style));
 }
 
 }  // namespace
