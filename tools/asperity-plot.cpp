@@ -123,6 +123,26 @@ plot::Range rising(const char* option, std::array<double, 2> range) {
   return {range[0], range[1]};
 }
 
+// Each option and the kinds that it changes.
+constexpr std::pair<const char*, std::string_view> uses[] = {
+    {"variable", "map surface profile psd pdf qq abbott contact section von-mises maxima"},
+    {"section", "profile section von-mises"},
+    {"x-range", "map surface profile acf contact section von-mises"},
+    {"y-range", "map surface profile contact section von-mises"},
+    {"range", "map surface profile qq abbott section von-mises maxima"},
+    {"depth-range", "section von-mises maxima"},
+    {"scale-by", "section von-mises maxima"},
+    {"above", "section von-mises"},
+    {"columns", "map surface acf pdf qq abbott contact section von-mises"}};
+
+void require_use(const cli::Tool& tool, const std::string& kind) {
+  for (const auto& [option, kinds_with] : uses) {
+    const bool used = (' ' + std::string(kinds_with) + ' ').find(' ' + kind + ' ') != std::string::npos;
+    if (tool.given(std::string("--") + option) && !used)
+      throw cli::UsageError(option, "cannot be combined with --kind " + kind + ", which does not use it");
+  }
+}
+
 plot::Request request_of(const cli::Tool& tool, const Options& o) {
   plot::Request request = o.request;
   request.format = format_of(o);
@@ -132,10 +152,7 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   request.titled = tool.given("--title");
   request.scale_by_hertz = o.scale_by == "p0";
   if (!is_utf8(request.title)) throw cli::UsageError("title", "is not valid UTF-8");
-  for (const char* kind : {"profile", "psd", "sweep", "maxima"})
-    if (tool.given("--columns") && request.kind == kind)
-      throw cli::UsageError(
-          "columns", std::string("cannot be combined with --kind ") + kind + ": all inputs share its panels");
+  require_use(tool, request.kind);
   if (!o.above.empty()) request.above = cli::StressBound(o.above);
   cli::refuse_terminal(o.output, "a picture");
   return request;
@@ -191,9 +208,11 @@ int draw(cli::Tool& tool, const Options& options) {
   const plot::Request request = request_of(tool, options);
   const plot::Cases cases = read_cases(tool, options);
   const auto* kind = std::ranges::find(kinds, request.kind, &Kind::name);
-  const plot::Picture picture = plot::run_gnuplot(plot::script_of(kind->describe(cases, request), request));
+  const plot::Figure figure = kind->describe(cases, request);
+  const plot::Picture picture = plot::run_gnuplot(plot::script_of(figure, request));
   if (!picture.remarks.empty()) tool.detail("gnuplot: " + picture.remarks);
   cli::write_all(options.output, picture.bytes);
+  for (const std::string& note : figure.notes) tool.note(note);
   return cli::done;
 }
 

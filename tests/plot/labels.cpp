@@ -1,11 +1,9 @@
 // Texts of a picture stand clear of each other, and say what is stretched.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
-#include "plot/pictures.hpp"
+#include "plot/boxes.hpp"
 #include "tools/plot/layout.hpp"
 #include "tools/plot/tics.hpp"
 
@@ -13,50 +11,6 @@ using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-struct Box {
-  double left, right, low, high;
-  std::string text;
-};
-
-// Letters are taken as half an em wide and 0.6 em high, less than they are in DejaVu Sans: what overlaps here
-// cannot be read.
-Box box_of(double x, double y, bool upright, const std::string& anchor, double em, const std::string& text) {
-  const double length = 0.5 * em * plot::letters(text), high = 0.6 * em;
-  const double from = anchor == "middle" ? -0.5 * length : anchor == "end" ? -length : 0;
-  if (upright) return {x - high, x, y - from - length, y - from, text};
-  return {x + from, x + from + length, y - high, y, text};
-}
-
-std::vector<Box> boxes_of(const std::string& name) {
-  const std::string svg = bytes_of(name), place = "<g transform=\"translate(";
-  auto between = [&](std::size_t at, const std::string& open, const std::string& close) {
-    const auto begin = svg.find(open, at) + open.size();
-    return svg.substr(begin, svg.find(close, begin) - begin);
-  };
-  std::vector<Box> out;
-  for (auto at = svg.find(place); at != svg.npos; at = svg.find(place, at + 1)) {
-    double x = 0, y = 0;
-    REQUIRE(std::sscanf(svg.c_str() + at + place.size(), "%lf,%lf", &x, &y) == 2);
-    const bool upright = svg.substr(at, svg.find('>', at) - at).find("rotate(-90") != svg.npos;
-    const std::string text = between(at, "<text>", "</text>");
-    if (text.find_first_not_of(' ') != text.npos && text.find('<') == text.npos)
-      out.push_back(box_of(x, y, upright, between(at, "text-anchor=\"", "\""),
-                           std::atof(between(at, "font-size=\"", "\"").c_str()), text));
-  }
-  return out;
-}
-
-void check_apart(const std::string& name) {
-  const std::vector<Box> boxes = boxes_of(name);
-  CHECK(boxes.size() >= 5);
-  for (std::size_t a = 0; a < boxes.size(); ++a)
-    for (std::size_t b = a + 1; b < boxes.size(); ++b) {
-      CAPTURE(boxes[a].text, boxes[b].text);
-      CHECK((boxes[a].right < boxes[b].left || boxes[b].right < boxes[a].left ||
-             boxes[a].high < boxes[b].low || boxes[b].high < boxes[a].low));
-    }
-}
 
 void write_map(const std::string& name, Shape shape, double dx, double dy) {
   Dataset data;
@@ -189,4 +143,20 @@ TEST_CASE("values that differ little are coloured from their mean, which the bar
     CHECK_THAT(words, ContainsSubstring("height from −10 to 10 nm " + named + "\n") &&
                           ContainsSubstring("height " + named + " [nm]\n"));
   }
+}
+
+// Of x from −492 to 492 µm a narrow panel had the number 0 alone, and so had the sides of a surface.
+TEST_CASE("every axis has two numbers at least where two have room", "[plot][law]") {
+  for (const double half : {492.0, 41.5, 0.98, 1.2, 7.3})
+    for (const double length : {9.0, 11.6, 15.0, 26.0}) {
+      CAPTURE(half, length);
+      CHECK(plot::tics_along({{-half, half}, "x"}, length).size() >= 2);
+    }
+  write_map("ninety.nc", {90, 220}, 1e-6, 1e-6);
+  REQUIRE(shell("asperity-plot ninety.nc --kind surface -o a.svg").exit == 0);
+  std::istringstream words(words_of("a.svg"));
+  int numbers = 0;
+  for (std::string line; std::getline(words, line);)
+    numbers += line.find_first_not_of("−0123456789.") == line.npos ? 1 : 0;
+  CHECK(numbers >= 6);
 }

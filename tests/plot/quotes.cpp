@@ -76,10 +76,10 @@ TEST_CASE("names of files, units and quantities stand in the picture letter by l
           "[plot][contract][slow]") {
   for (const std::string& text : hard) {
     write_scene(text, "of " + text);
-    const Outcome run =
-        shell("cp quoted.nc " + in_shell("2 " + text.substr(0, text.find('/')) + ".nc") +
-              "; asperity-plot quoted.nc 2*.nc --variable values --kind map -o a.svg; status=$?; rm 2*.nc; "
-              "exit $status");
+    const Outcome run = shell("cp quoted.nc " + in_shell("2 " + text.substr(0, text.find('/')) + ".nc") +
+                              "; asperity-plot quoted.nc 2*.nc --variable values --kind map --pixels "
+                              "1000x1500 -o a.svg; status=$?; rm 2*.nc; "
+                              "exit $status");
     CAPTURE(text, run.error);
     CHECK((run.exit == 0 && run.error.empty()));
     const std::string words = words_of("a.svg");

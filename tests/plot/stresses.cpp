@@ -56,6 +56,9 @@ TEST_CASE("a section is marked at its largest stress, which the title says", "[p
   CHECK(mark.numbers[0] * 1e-6 == Approx(grid.x(5)).epsilon(1e-14));
   CHECK(mark.numbers[1] * 1e-6 == Approx(depths[1]).epsilon(1e-14));
   CHECK(figure.title == "section y = 25 µm, largest 900 MPa at +");
+  // In SVG the lines of the cross were a thin black and white, unseen on any colour: a disc lies below it.
+  const plot::Layer& disc = last_with(figure.panels[0], "pointtype 7");
+  CHECK(disc.numbers == mark.numbers);
   asked.x = {0, 1};  // beyond the largest
   const plot::Figure part = plot::section({{data, "one"}}, asked);
   CHECK_THAT(part.title, !ContainsSubstring("900"));

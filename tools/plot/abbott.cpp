@@ -4,6 +4,7 @@
 
 #include "stats/measure/parameter.hpp"
 #include "stats/measure/quantile_estimates.hpp"
+#include "tools/plot/construction.hpp"
 #include "tools/plot/measured.hpp"
 #include "tools/plot/source.hpp"
 
@@ -12,14 +13,9 @@ namespace {
 
 constexpr Index pieces = 400, errors = 99;  // of the curve; shares with an interval
 
-struct Bearing {
-  CoreParameters core;
-  Field curve;      ///< share [%] and height
+struct Bearing : Construction {
   Field band = {};  ///< share [%] and both ends of the 95 % interval; no rows where errors are unknown
 
-  /// The tips of the triangles.
-  double peak() const { return core.upper + core.spk; }
-  double dale() const { return core.lower - core.svk; }
   Range range() const {
     const Range r = range_of(curve.col(1));
     return {std::min(r.low, dale()), std::max(r.high, peak())};
@@ -48,19 +44,13 @@ Field band_of(const Sample& sample, const MaterialRatioCurve& curve) {
 Bearing bearing_of(const Case& c, const std::string& variable) {
   const Sample sample = measured_whole(c, variable);
   const MaterialRatioCurve curve = sample.material_ratio();
-  Bearing out{curve.core(), Field(pieces + 1, 2)};
+  Bearing out{{curve.core(), Field(pieces + 1, 2)}};
   for (Index k = 0; k <= pieces; ++k) {
     const double share = static_cast<double>(k) / pieces;
     out.curve.row(k) << 100 * share, curve.height(share);
   }
   out.band = band_of(sample, curve);
   return out;
-}
-
-// Heights are divided by `unit`.
-Layer in_units(Field table, double unit, const char* style) {
-  table.rightCols(table.cols() - 1) /= unit;
-  return points(table, style);
 }
 
 std::vector<Layer> layers_of(const Bearing& b, Range shown, double unit) {
@@ -85,35 +75,6 @@ std::vector<Layer> layers_of(const Bearing& b, Range shown, double unit) {
   return out;
 }
 
-// Sk, Spk and Svk as lengths right of the panel.
-Script lengths_of(const Bearing& b, double unit) {
-  Script out;
-  auto add = [&](const char* name, double from, double to) {
-    if (from == to) return;
-    out.line(
-        "set arrow from graph 1.03,first {0} to graph 1.03,first {1} heads size screen 0.006,90 linewidth 1",
-        from / unit, to / unit);
-    out.line("set label {} at graph 1.05,first {} left noenhanced", gnuplot_string(name),
-             0.5 * (from + to) / unit);
-  };
-  add("Spk", b.core.upper, b.peak());
-  add("Sk", b.core.lower, b.core.upper);
-  add("Svk", b.dale(), b.core.lower);
-  return out;
-}
-
-// Above the axis, on the inner side of each line.
-Script ratios_of(const Bearing& b) {
-  Script out;
-  auto add = [&](const char* name, double share, const char* side, double offset) {
-    out.line("set label {} at first {},graph 0.05 {} noenhanced offset character {},0",
-             gnuplot_string(fmt::format("{} = {} %", name, brief(100 * share))), 100 * share, side, offset);
-  };
-  add("Smr1", b.core.smr1, "left", 0.5);
-  add("Smr2", b.core.smr2, "right", -0.5);
-  return out;
-}
-
 std::string title_of(const CoreParameters& core, const Unit& unit) {
   return fmt::format("Sk = {}, Spk = {}, Svk = {} {}", brief(core.sk / unit.factor),
                      brief(core.spk / unit.factor), brief(core.svk / unit.factor), unit.name);
@@ -123,7 +84,7 @@ std::string title_of(const CoreParameters& core, const Unit& unit) {
 
 Figure abbott(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
-  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  const Quantity quantity = quantity_of(cases, variable);
   std::vector<Bearing> all;
   Range heights{unlimited, -unlimited};
   for (const Case& c : cases) {
@@ -131,7 +92,7 @@ Figure abbott(const Cases& cases, const Request& request) {
     heights = united(heights, all.back().range());
   }
   const double room = 0.05 * heights.width();
-  heights = value_range(request, quantity.unit, {heights.low - 2 * room, heights.high + room});
+  heights = value_range(request, quantity.unit, heights, {heights.low - 2 * room, heights.high + room});
   const Unit unit = unit_for(heights.magnitude(), quantity.unit);
   using enum LegendEntry::Key;
   Figure out = side_by_side(request, cases);
@@ -143,10 +104,10 @@ Figure abbott(const Cases& cases, const Request& request) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
     out.panels[c].x = {{0, 100}, "material ratio [%]"};
     out.panels[c].y = axis_of(heights, unit, above_mean(quantity));
-    out.panels[c].commands = lengths_of(all[c], unit.factor);
-    if (!out.comparison) out.panels[c].commands.add(ratios_of(all[c]));
     out.panels[c].layers = layers_of(all[c], heights, unit.factor);
   }
+  const Layout layout = layout_of(out, request);
+  for (std::size_t c = 0; c < cases.size(); ++c) add_labels(out, c, all[c], heights, layout);
   return out;
 }
 

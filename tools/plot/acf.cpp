@@ -133,11 +133,30 @@ std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
   return out;
 }
 
-std::vector<LegendEntry> legend(const Profiles& profiles) {
+// Of what is drawn in any panel.
+std::vector<LegendEntry> legend(const std::vector<Profiles>& all) {
   using enum LegendEntry::Key;
-  std::vector<LegendEntry> out{{line, line_colour(0), "along x"}, {line, line_colour(1), "along y"}};
-  if (!profiles.target[0].empty()) out.push_back({dashes, "black", "target"});
+  std::vector<LegendEntry> out;
+  for (std::size_t d = 0; d < 2; ++d)
+    if (std::ranges::any_of(all, [&](const Profiles& p) { return drawable(p.found[d]); }))
+      out.push_back({line, line_colour(d), d == 0 ? "along x" : "along y"});
+  if (std::ranges::any_of(all, [](const Profiles& p) { return !p.target[0].empty(); }))
+    out.push_back({dashes, "black", "target"});
   return out;
+}
+
+const char* words_of(const Profiles& p) {
+  return !p.estimated    ? "kernel"
+         : p.with_errors ? "surface ± 2 standard errors"
+                         : "surface, too few independent heights for errors";
+}
+
+// A line within the range joins two of a curve's points there.
+void require_two(const std::vector<Profiles>& all, Range lags) {
+  for (const Profiles& p : all)
+    for (const Curve& curve : p.found)
+      if (std::ranges::count_if(curve, [&](const Point& at) { return lags.contains(at.lag); }) > 1) return;
+  throw ParameterError("x-range", "contains no two lags of a curve: widen it");
 }
 
 }  // namespace
@@ -153,16 +172,23 @@ Figure acf(const Cases& cases, const Request& request) {
     for (const Curve& curve : all.back().found)  // a target may go on beyond
       if (!curve.empty()) longest = std::max(longest, curve.back().lag);
   }
-  longest = std::min(longest, request.x.high);
-  const Unit length = all[0].in_metres ? unit_for(longest, "m") : Unit{1, "samples"};
+  for (std::size_t c = 1; c < all.size(); ++c)
+    if (all[c].in_metres != all[0].in_metres)
+      throw DataError("lags", fmt::format("are in metres in one of {} and {}, and in samples in the other: "
+                                          "draw them apart",
+                                          cases[0].label, cases[c].label));
+  const Range lags = part_of({0, longest}, request.x, "x-range");
+  require_two(all, lags);
+  const Unit length = all[0].in_metres ? unit_for(lags.high, "m") : Unit{1, "samples"};
   Figure out = side_by_side(request, cases);
-  out.title = !all[0].estimated    ? "kernel"
-              : all[0].with_errors ? "surface ± 2 standard errors"
-                                   : "surface, too few independent heights for errors";
-  out.legend = legend(all[0]);
+  const std::string first = words_of(all[0]);
+  const bool alike = std::ranges::all_of(all, [&](const Profiles& p) { return words_of(p) == first; });
+  if (alike) out.title = first;
+  out.legend = legend(all);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Panel& panel = out.panels[c];
-    panel.x = axis_of({0, longest}, length, "lag");
+    if (!alike) panel.label += std::string(", ") + words_of(all[c]);
+    panel.x = axis_of(lags, length, "lag");
     panel.y = {{lowest < 0 ? std::floor(lowest * 10 - 0.2) / 10 : 0, 1.04}, "autocorrelation ρ"};
     panel.commands.line("set xzeroaxis linewidth 0.6 linecolor rgb '#808080'");
     panel.layers = layers_of(all[c], length.factor);

@@ -1,6 +1,7 @@
 #include "tools/plot/figure.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/plot/layout.hpp"
 #include "tools/plot/tics.hpp"
@@ -54,27 +55,38 @@ class Writer {
     script.line("unset label\nunset object\nunset arrow\nunset colorbox");
     script.line("set lmargin at screen {}\nset rmargin at screen {}", screen_x(x), screen_x(x + wide));
     script.line("set bmargin at screen {}\nset tmargin at screen {}", screen_y(y), screen_y(y + high));
-    if (figure_.comparison)
-      label(figure_.panels[panel].label, x + 0.5 * wide, y + high + 0.8 * em_, "center");
-    if (is_last(panel) && !at_.title.empty())
-      label(at_.title, at_.left + 0.5 * at_.panels_wide, static_cast<double>(at_.pixels.ny) - 1.3 * em_,
-            "center");
+    if (figure_.comparison) {
+      const auto [text, at] = within(figure_.panels[panel].label, x + 0.5 * wide, beside(), sheet_x());
+      label(text, at, y + high + 0.8 * em_, "center");
+    }
+    if (is_last(panel)) title();
+  }
+
+  void title() {
+    double y = static_cast<double>(at_.pixels.ny) - 1.3 * em_;
+    for (const std::string& line : at_.title) {
+      label(line, title_centre(), y, "center");
+      y -= line_of_title * em_;
+    }
   }
 
   void x_axis(std::size_t panel, const Axis& x) {
     const bool hidden = !labels_x(figure_, panel);
     axis("x", x, tics_along(x, at_.panel_width / em_), hidden);
-    if (!hidden)
-      label(x.label + x.note, at_.x_of(panel) + 0.5 * at_.panel_width,
-            at_.y_of(panel) - (figure_.bottom - 0.8) * em_, "center");
+    if (hidden) return;
+    const auto [text, at] =
+        within(x.label + x.note, at_.x_of(panel) + 0.5 * at_.panel_width, beside(), sheet_x());
+    label(text, at, at_.y_of(panel) - (figure_.bottom - 0.8) * em_, "center");
   }
 
   void y_axis(std::size_t panel, const Axis& y) {
     const bool hidden = !labels_y(figure_, panel);
     axis("y", y, tics_across(y, at_.panel_height / em_), hidden);
-    if (!hidden)
-      label(y.label, at_.x_of(panel) - (at_.margin - 0.9) * em_, at_.y_of(panel) + 0.5 * at_.panel_height,
-            "rotate by 90 center");
+    if (hidden) return;
+    const double x = at_.x_of(panel) - (at_.margin - 0.9) * em_, top = beside_panels(x);
+    const auto [text, at] =
+        within(y.label, at_.y_of(panel) + 0.5 * at_.panel_height, at_.rows > 1 ? at_.step_y : top, top);
+    label(text, x, at, "rotate by 90 center");
   }
 
   void colours(const ColourBar& bar, bool with_bar) {
@@ -110,6 +122,42 @@ class Writer {
   Script script;
 
  private:
+  // A text of at most this length, centred here or so far off that it ends before the ends of the sheet.
+  struct Placed {
+    std::string text;
+    double at;
+  };
+  Placed within(const std::string& text, double centre, double most, double end) const {
+    const double room = 0.3 * em_;
+    Placed out{shortened(text, (std::min(most, end) - 2 * room) / em_), centre};
+    const double half = 0.5 * length_of(out.text) * em_ + room;
+    out.at = std::clamp(centre, half, std::max(half, end - half));
+    return out;
+  }
+  double sheet_x() const { return static_cast<double>(at_.pixels.nx); }
+  // Where a text beside the panels ends: below a title that reaches so far.
+  double below_title(double x) const {
+    double lines = 0;
+    for (const std::string& line : at_.title)
+      if (std::abs(x - title_centre()) < 0.5 * length_of(line) * em_ + 0.3 * em_)
+        lines = static_cast<double>(at_.title.size());
+    return static_cast<double>(at_.pixels.ny) - line_of_title * em_ * lines;
+  }
+  // Over the panels, or amid the sheet where it is wider.
+  double title_centre() const {
+    const bool wide = std::ranges::any_of(
+        at_.title, [&](const std::string& line) { return length_of(line) * em_ > at_.panels_wide; });
+    return wide ? 0.5 * sheet_x() : at_.left + 0.5 * at_.panels_wide;
+  }
+  // Nor beside a legend that does.
+  double beside_panels(double x) const {
+    const bool wide = std::ranges::any_of(
+        at_.legend, [&](const LegendLine& line) { return length_of(line) * em_ > at_.panels_wide; });
+    return wide ? at_.bottom + at_.panels_high + 0.8 * em_ : below_title(x);
+  }
+  // What a text below or above a panel may take.
+  double beside() const { return at_.columns > 1 ? at_.step_x : sheet_x(); }
+
   void label(const std::string& text, double x, double y, const char* style) {
     script.line("set label {} at screen {},{} {} noenhanced", gnuplot_string(text), screen_x(x), screen_y(y),
                 style);
@@ -132,8 +180,9 @@ class Writer {
     script.line("set colorbox vertical user origin screen {},{} size screen {},{} front", screen_x(x),
                 screen_y(at_.bottom), screen_x(bar_width * em_), screen_y(high));
     script.line("{}\nset cbtics scale 0.5", command("cb", tics));
-    label(bar.unit.label(bar.name), x + (bar_width + 1.9 + longest(tics)) * em_, at_.bottom + 0.5 * high,
-          "rotate by 90 center");
+    const double at_x = x + (bar_width + 1.9 + longest(tics)) * em_, top = below_title(at_x);
+    const auto [text, at_y] = within(bar.unit.label(bar.name), at_.bottom + 0.5 * high, top, top);
+    label(text, at_x, at_y, "rotate by 90 center");
   }
 
   void legend_key(const LegendEntry& entry, double x, double y) {

@@ -90,7 +90,8 @@ struct Figure {
   double gap_x = 1.4, gap_y = 1.4;                          ///< between panels [em]
   std::vector<LegendEntry> legend = {};                     ///< above the panels
   std::optional<ColourBar> colours = {};
-  Script commands = {};  ///< before the first panel
+  Script commands = {};                 ///< before the first panel
+  std::vector<std::string> notes = {};  ///< what the user is told beside the picture
 };
 
 /// One panel per case, in the requested number of columns.

@@ -11,19 +11,32 @@ namespace {
 
 constexpr double em_of_single = 37.5, em_of_many = 30;  // pixels, unless the size is given
 constexpr double free_aspect = 0.62, free_aspect_of_rows = 0.45;
-constexpr double title_height = 2.0;
+constexpr std::size_t most_of_title = 2, most_of_legend = 3;         // lines
+constexpr double beside_text = 0.6, least_of_name = 12.5;            // [em]
 constexpr double least_bar = 5, line_of_bar = 1.3, most_of_bar = 6;  // [em], [em], steps
 constexpr double beside_numbers = 2.6, between_numbers = 0.7;  // label, tics and gaps of a y axis; of x axes
 
 // The width of a sheet [em]: 32 for one column, 60 for three.
 double em_across(std::size_t columns) { return 18.0 + 14.0 * static_cast<double>(columns); }
 
-// Breaks a line before an entry that does not fit.
-std::vector<LegendLine> lines_of(const std::vector<LegendEntry>& entries, double longest) {
+// Breaks a line before an entry that does not fit; names are at most `of_name` long.
+std::vector<LegendLine> lines_of(const std::vector<LegendEntry>& entries, double longest, double of_name) {
   std::vector<LegendLine> out;
-  for (const LegendEntry& e : entries) {
+  for (LegendEntry e : entries) {
+    e.name = shortened(e.name, of_name);
     if (out.empty() || length_of(out.back()) + legend_gap + length_of(e) > longest) out.emplace_back();
     out.back().push_back(e);
+  }
+  return out;
+}
+
+// Names as long as a line, or so short that three lines take them.
+std::vector<LegendLine> legend_of(const std::vector<LegendEntry>& entries, double longest) {
+  double of_name = longest - key_length;
+  std::vector<LegendLine> out = lines_of(entries, longest, of_name);
+  while (out.size() > most_of_legend && of_name > least_of_name) {
+    of_name = std::max(0.9 * of_name, least_of_name);
+    out = lines_of(entries, longest, of_name);
   }
   return out;
 }
@@ -77,7 +90,7 @@ void fit(Layout& layout, double room, bool keeps_aspect) {
 
 void place_panels(Layout& out, const Figure& figure, const Request& request, const Room& room) {
   const double above = figure.comparison ? label_height : 0,
-               top = figure.top + (out.title.empty() ? 0 : title_height) +
+               top = figure.top + line_of_title * static_cast<double>(out.title.size()) +
                      line_of_legend * static_cast<double>(out.legend.size()) + above;
   const double em = out.em, n = static_cast<double>(out.columns), m = static_cast<double>(out.rows),
                gap_x = room.gap * em, gap_y = (gap_below(figure) + above) * em,
@@ -138,10 +151,11 @@ double bar_step(const Layout& layout, Range shown) {
 
 Layout layout_of(const Figure& figure, const Request& request) {
   Layout out{};
-  out.title = request.titled ? request.title : figure.title;
+  const double line = em_across(figure.columns) - 2 * beside_text;
+  out.title = broken(request.titled ? request.title : figure.title, line, most_of_title);
   out.columns = figure.columns;
   out.rows = (figure.panels.size() + figure.columns - 1) / figure.columns;
-  out.legend = lines_of(figure.legend, em_across(figure.columns) - figure.left);
+  out.legend = legend_of(figure.legend, line);
   const bool given = request.pixels.nx > 0;
   out.em = given ? static_cast<double>(request.pixels.nx) / em_across(figure.columns)
                  : (figure.columns == 1 ? em_of_single : em_of_many);

@@ -9,13 +9,15 @@
 namespace asperity::plot {
 
 using LegendLine = std::vector<LegendEntry>;
-inline constexpr double key_length = 2.0, legend_gap = 1.6, line_of_legend = 2.0, label_height = 1.5;  // [em]
+// [em]
+inline constexpr double key_length = 2.0, legend_gap = 1.6, line_of_legend = 2.0, line_of_title = 2.0,
+                        label_height = 1.5;
 /// Length of an entry, and of a line of entries [em].
 double length_of(const LegendEntry& entry);
 double length_of(const LegendLine& line);
 
 struct Layout {
-  std::string title;
+  std::vector<std::string> title;  ///< lines
   std::vector<LegendLine> legend;
   std::size_t rows, columns;
   double margin;  ///< left of the panels, with room for the longest number of y [em]
@@ -45,6 +47,8 @@ bool labels_y(const Figure& figure, std::size_t panel);
 /// panel where x has no label. The axes of all panels are there.
 void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up);
 
+/// Titles of more than two lines and legends of more than three are shortened.
+///
 /// Panels as large as the sheet allows; narrower and centred if they would be too high. Throws
 /// ParameterError("pixels", …) if there is no room for them.
 Layout layout_of(const Figure& figure, const Request& request);

@@ -63,7 +63,7 @@ Figure map(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
   if (are_rows(cases, variable)) return profile(cases, request);
   std::vector<Patch> patches = patches_of(cases, variable, request);
-  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  const Quantity quantity = quantity_of(cases, variable);
   Colours colours = field_colours(patches, quantity, request);
   const Level level = level_of(patches, colours.range, quantity);
   for (Patch& p : patches) p.values -= level.value;

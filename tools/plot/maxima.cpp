@@ -20,6 +20,7 @@ struct Top {
 };
 
 struct Maxima {
+  std::string variable;
   Field curve;  ///< depth, value, half the length of its 95 % interval or NaN
   Quantity quantity;
   Top top = {};
@@ -35,7 +36,7 @@ Maxima of_table(const Dataset& table) {
                     "--result maxima prints");
   const Variable& value = table.variables[1];
   const Eigen::ArrayXd depth = column(table, "depth");
-  Maxima out{Field(depth.size(), 3), quantity_of(value)};
+  Maxima out{value.name, Field(depth.size(), 3), quantity_of(value)};
   out.curve << depth, column(table, value.name), half_width_95 * column(table, "standard_error");
   return out;
 }
@@ -63,7 +64,7 @@ Maxima of_volume(const Dataset& data, const std::string& variable) {
   const std::vector<double> depths = depths_of(data), values = present_numbers(v);
   const double factor = factor_to(si_unit_of(v), v);
   const std::size_t cells = values.size() / depths.size();
-  Maxima out{Field(std::ssize(depths), 3), quantity_of(v), top_of(data.attributes, variable),
+  Maxima out{variable, Field(std::ssize(depths), 3), quantity_of(v), top_of(data.attributes, variable),
              data.attributes.number("stress_accurate_depth", NAN)};
   // The first principal stress is the largest one, positive in tension; others of either sign push or pull.
   out.of_magnitude = out.quantity.zero == Zero::between && variable != "stress_1";
@@ -109,6 +110,18 @@ void add_layers(std::vector<Layer>& out, const Maxima& m, std::size_t colour, co
                        "with points pointtype 2 pointsize 0.7*dot linewidth 1.6 linecolor rgb 'black'"));
 }
 
+// On one axis.
+Quantity quantity_of(const std::vector<Maxima>& all, const Cases& cases) {
+  std::vector<Quantity> each;
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    if (all[c].variable != all[0].variable)
+      throw DataError(all[c].variable, fmt::format("of {} is not the {} of {}: draw them apart",
+                                                   cases[c].label, all[0].variable, cases[0].label));
+    each.push_back(all[c].quantity);
+  }
+  return shared(each, cases, all[0].variable);
+}
+
 std::string title_of(const Maxima& m) {
   if (std::isnan(m.top.value))
     return m.curve.col(2).isFinite().all() ? "mean over surfaces, 95 % intervals" : "";
@@ -135,15 +148,14 @@ Figure maxima(const Cases& cases, const Request& request) {
   }
   if (!(values.magnitude() > 0)) throw DataError(all[0].quantity.name, "no layer holds a value but 0");
   if (!(depths.width() > 0)) throw DataError("depth", "has one value: a curve needs two");
-  depths = {std::max(depths.low, request.depth.low), std::min(depths.high, request.depth.high)};
-  if (!(depths.width() > 0)) throw ParameterError("depth-range", "contains no two depths of the layers");
-  const Quantity& quantity = all[0].quantity;
-  values = value_range(request, quantity.unit, {1.06 * values.low, 1.06 * values.high});
+  depths = part_of(depths, request.depth, "depth-range");
+  const Quantity quantity = quantity_of(all, cases);
+  values = value_range(request, quantity.unit, values, {1.06 * values.low, 1.06 * values.high});
   const Unit depth = unit_for(depths.high, "m"), value = unit_for(values.magnitude(), quantity.unit);
   Figure out{.columns = 1};
   Panel panel;
   panel.x = axis_of(depths, depth, "depth z");
-  const char* bar = all[0].of_magnitude ? "|" : "";
+  const char* bar = std::ranges::any_of(all, &Maxima::of_magnitude) ? "|" : "";
   panel.y = axis_of(values, value, fmt::format("largest {0}{1}{0}", bar, quantity.name));
   using enum LegendEntry::Key;
   for (std::size_t c = 0; c < all.size(); ++c) {

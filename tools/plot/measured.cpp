@@ -21,6 +21,11 @@ Sample measured_whole(const Case& c, const std::string& variable) {
   return measured(c, variable);
 }
 
+Layer in_units(Field table, double unit, const char* style) {
+  table.rightCols(table.cols() - 1) /= unit;
+  return points(table, style);
+}
+
 std::string above_mean(const Quantity& quantity) { return quantity.name + " above the mean"; }
 
 std::string in_plural(const Quantity& quantity) { return quantity.name == "height" ? "heights" : "values"; }

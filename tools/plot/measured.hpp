@@ -11,6 +11,9 @@ Sample measured(const Case& c, const std::string& variable);
 /// The same of a whole field; throws DataError for a pressure and a gap, which a part of the cells has.
 Sample measured_whole(const Case& c, const std::string& variable);
 
+/// A table whose columns are values in SI but for the first; they are divided by `unit`.
+Layer in_units(Field table, double unit, const char* style);
+
 /// What is drawn, as its axis says: "height above the mean"; and as the legend does: "heights", or "values".
 std::string above_mean(const Quantity& quantity);
 std::string in_plural(const Quantity& quantity);

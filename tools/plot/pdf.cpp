@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "stats/height/distribution.hpp"
+#include "stats/height/height_steps.hpp"
 #include "stats/measure/sample.hpp"
 #include "tools/cli/counted_cells.hpp"
 #include "tools/plot/source.hpp"
@@ -16,6 +17,7 @@ struct Distribution {
   Moments moments = {};
   std::vector<Bin> bins = {};
   double points = 0;
+  std::string note = {};
   std::string part = {};  // of the cells, "393 of 12288 cells, in contact": beside no Gaussian
 
   double density(double count, const Bin& bin) const { return count / (points * bin.width()); }
@@ -55,9 +57,17 @@ Distribution distribution_of(const cli::CountedCells& part) {
 Distribution distribution_of(const Case& c, const std::string& variable) {
   if (const auto part = cli::counted_cells(c.data, variable)) return distribution_of(*part);
   const Sample sample({grid_of(c.data), field_of(c.data, variable, Missing::not_a_number)}, false);
+  const Field& z = sample.surface().heights;
   const Moments& m = sample.moments();
-  return distribution_of(sample, height_range(sample.surface().heights),
-                         scott_bins(m, sample.size().points()), m.sq);
+  Bins bins{scott_bins(m, sample.size().points()), height_range(z)};
+  const HeightSteps steps = height_steps(z);
+  if (steps.step > 0) bins = bins_on_steps(steps, bins);
+  Distribution out = distribution_of(sample, bins.range, bins.number, m.sq);
+  const bool few = steps.values > 1 && steps.values < 2 * Index{bins.number};
+  if (few && !(steps.step > 0))
+    out.note = fmt::format("{}: {} different values, in uneven steps: bins between them hold none", variable,
+                           steps.values);
+  return out;
 }
 
 double gaussian(const Moments& m, double z) {
@@ -73,11 +83,16 @@ struct Scales {
 
 Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity) {
   Range x{unlimited, -unlimited};
-  double peak = 0;
+  double peak = 0, end = 0;  // of the densities, and of their intervals
   for (const Distribution& d : all) {
     x = united(x, {d.bins.front().lower, d.bins.back().upper});
-    for (const Bin& b : d.bins) peak = std::max(peak, d.density(d.ends(b).high, b));
+    if (d.part.empty()) peak = std::max(peak, gaussian(d.moments, d.moments.mean));
+    for (const Bin& b : d.bins) {
+      peak = std::max(peak, d.density(b.count, b));
+      end = std::max(end, d.density(d.ends(b).high, b));
+    }
   }
+  peak = std::clamp(end, peak, 2 * peak);  // the interval of a bin that hardly holds heights goes on beyond
   const Unit height = unit_for(x.magnitude(), quantity.unit), per = unit_for(1000 / peak, quantity.unit);
   return {height, per, x, 1.05 * peak * per.factor};
 }
@@ -116,7 +131,7 @@ std::string title_of(const Moments& m, const Quantity& quantity) {
 
 Figure pdf(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
-  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  const Quantity quantity = quantity_of(cases, variable);
   std::vector<Distribution> all;
   for (const Case& c : cases) all.push_back(distribution_of(c, variable));
   const Scales scales = scales_of(all, quantity);
@@ -133,6 +148,8 @@ Figure pdf(const Cases& cases, const Request& request) {
     out.panels[c].x = axis_of(scales.x, scales.height, quantity.name);
     out.panels[c].y = {{0, scales.top}, per.empty() ? "density" : "density [1/" + per + "]"};
     out.panels[c].layers = layers_of(all[c], scales);
+    if (!all[c].note.empty())
+      out.notes.push_back((out.comparison ? cases[c].label + ": " : "") + all[c].note);
   }
   return out;
 }

@@ -90,8 +90,8 @@ Figure profile(const Cases& cases, const Request& request) {
     values = united(values, row.range(1));
     reach = std::max(reach, row.range(0).magnitude());
   }
-  const Quantity quantity = quantity_of(cases[0].data.at(variable));
-  values = value_range(request, quantity.unit, with_room(values));
+  const Quantity quantity = quantity_of(cases, variable);
+  values = value_range(request, quantity.unit, values, with_room(values));
   const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
   Figure out{.aspect = rows.size() > 1 ? 0.32 : 0.45, .gap_y = 4.8};
   for (std::size_t c = 0; c < cases.size() && cases.size() > 1; ++c)

@@ -170,7 +170,7 @@ std::vector<LegendEntry> legend_of(const std::vector<Plane>& planes, const Cases
 
 Figure psd(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
-  const std::string unit = quantity_of(cases[0].data.at(variable)).unit;
+  const std::string unit = quantity_of(cases, variable).unit;
   Plane rings{.quantity = "PSD of rings", .unit = cli::density_units(unit, 2)},
       profiles{.quantity = "PSD of profiles", .unit = cli::density_units(unit, 1)};
   for (std::size_t c = 0; c < cases.size(); ++c) {

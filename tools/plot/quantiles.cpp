@@ -34,11 +34,6 @@ Quantiles quantiles_of(const Case& c, const std::string& variable) {
   return out;
 }
 
-Layer in_units(Field table, double unit, const char* style) {
-  table.rightCols(table.cols() - 1) /= unit;
-  return points(table, style);
-}
-
 std::vector<Layer> layers_of(const Quantiles& q, double unit) {
   std::vector<Layer> out;
   if (q.band.rows() > 0)
@@ -54,7 +49,7 @@ std::vector<Layer> layers_of(const Quantiles& q, double unit) {
 
 Figure qq(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
-  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  const Quantity quantity = quantity_of(cases, variable);
   std::vector<Quantiles> all;
   Range heights{unlimited, -unlimited};
   for (const Case& c : cases) {
@@ -63,7 +58,7 @@ Figure qq(const Cases& cases, const Request& request) {
       if (f.rows() > 0) heights = united(heights, range_of(f.rightCols(f.cols() - 1)));
   }
   const double room = 0.04 * heights.width();
-  heights = value_range(request, quantity.unit, {heights.low - room, heights.high + room});
+  heights = value_range(request, quantity.unit, heights, {heights.low - room, heights.high + room});
   const Unit unit = unit_for(heights.magnitude(), quantity.unit);
   using enum LegendEntry::Key;
   Figure out = side_by_side(request, cases);

@@ -52,7 +52,15 @@ std::vector<double> multiples(Range range, double step) {
   return out;
 }
 
-std::string brief(double value) { return fmt::format("{}{:.3g}", value < 0 ? "−" : "", std::abs(value)); }
+std::string brief(double value) {
+  const char* sign = value < 0 ? "−" : "";
+  const std::string out = fmt::format("{:.3g}", std::abs(value));
+  const auto e = out.find('e');
+  if (e == out.npos) return sign + out;
+  const int power = std::stoi(out.substr(e + 1));
+  if (power > 0 && power < 6) return fmt::format("{}{:.0f}", sign, std::stod(out));
+  return fmt::format("{}{}·10{}", sign, out.substr(0, e), cli::superscript(power));
+}
 
 const std::vector<std::string>& control_colours(Palette palette) {
   static const std::vector<std::string> viridis{"#440154", "#482576", "#414487", "#35608d",

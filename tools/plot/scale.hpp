@@ -37,7 +37,7 @@ double round_step(double width, double most_steps);
 Range drawable(Range range);
 /// The multiples of `step` in a range; none if there are more than a thousand.
 std::vector<double> multiples(Range range, double step);
-/// A number to three digits, "2.72".
+/// A number to three digits: "2.72", "6090", "1.2·10⁻⁷".
 std::string brief(double value);
 
 /// Colours from low to high. Sequential is viridis, at eleven of its 256 colours with straight lines between:

@@ -81,12 +81,6 @@ Field resampled(const Field& values, const std::vector<double>& along, const std
   return out;
 }
 
-Range clipped(Range asked, Range present, const char* option) {
-  const Range out{std::max(asked.low, present.low), std::min(asked.high, present.high)};
-  if (!(out.width() > 0)) throw ParameterError(option, "contains no part of the section");
-  return out;
-}
-
 // The largest magnitude among the values at cells and depths within a range, and where it is.
 struct Mark {
   double along, depth, value;
@@ -118,9 +112,9 @@ Cut cut_of(const Dataset& data, const std::string& variable, const Grid& grid, c
     along.push_back(section.along_x ? grid.x(i) : grid.y(i));
   if (along.size() < 2)
     throw DataError(section.along(), "a section in this direction needs at least two points, found 1");
-  const Range position = clipped(section.along_x ? request.x : request.y, {along.front(), along.back()},
+  const Range position = part_of({along.front(), along.back()}, section.along_x ? request.x : request.y,
                                  section.along_x ? "x-range" : "y-range"),
-              depth = clipped(request.depth, {depths.front(), depths.back()}, "depth-range");
+              depth = part_of({depths.front(), depths.back()}, request.depth, "depth-range");
   const Field values = section_values(data, data.at(variable), section);
   const Patch patch{resampled(values, along, depths, position, depth), position, depth};
   return {patch, largest_of(values, along, depths, patch)};
@@ -180,12 +174,12 @@ Cuts cuts_of(const Cases& cases, const Request& request) {
     cuts.patches.push_back(cut.patch);
     cuts.marks.push_back(cut.mark);
   }
-  cuts.quantity = quantity_of(cases[0].data.at(variable));
+  cuts.quantity = quantity_of(cases, variable);
   if (request.scale_by_hertz) scale_by_hertz(cuts, cases);
   cuts.range = range_of(cuts.patches);
   cuts.colours = colours_of(cuts.range, cuts.quantity);
   if (request.above.given()) hide_below(cuts, cases, request);
-  cuts.colours.range = value_range(request, cuts.quantity.unit, cuts.colours.range);
+  cuts.colours.range = value_range(request, cuts.quantity.unit, cuts.range, cuts.colours.range);
   return cuts;
 }
 
@@ -202,13 +196,14 @@ std::string default_title(const Cuts& cuts, const Unit& value) {
                            brief(largest / value.factor), value.name.empty() ? "" : " ", value.name);
 }
 
-// A black cross with a white rim, on any colour.
+// A black cross with a white rim, on any colour; before a disc, for lines of symbols are thin in SVG.
 void add_mark(Panel& panel, const Mark& mark, const Unit& along, const Unit& depth) {
   if (mark.value == 0) return;
   const Field at{{mark.along / along.factor, mark.depth / depth.factor}};
-  for (const char* style : {"pointsize 0.95*dot linewidth 3.8 linecolor rgb 'white'",
-                            "pointsize 0.8*dot linewidth 1.5 linecolor rgb 'black'"})
-    panel.layers.push_back(points(at, std::string("with points pointtype 1 ") + style));
+  for (const char* style : {"pointtype 7 pointsize 0.5*dot linecolor rgb 'white'",
+                            "pointtype 1 pointsize 0.95*dot linewidth 3.8 linecolor rgb 'white'",
+                            "pointtype 1 pointsize 0.8*dot linewidth 1.5 linecolor rgb 'black'"})
+    panel.layers.push_back(points(at, std::string("with points ") + style));
 }
 
 }  // namespace

@@ -34,6 +34,11 @@ Span cells_within(Range range, Index n, double spacing, Position position, const
   return {first, last - first + 1, {position(first) - 0.5 * spacing, position(last) + 0.5 * spacing}};
 }
 
+// To three digits, as it can be typed.
+std::string in_words(double value, const std::string& unit) {
+  return cli::format_quantity(std::stod(fmt::format("{:.3g}", value)), unit.empty() ? "1" : unit);
+}
+
 }  // namespace
 
 Quantity quantity_of(const Variable& variable) {
@@ -50,6 +55,24 @@ Quantity quantity_of(const Variable& variable) {
           name == "heights_residual" ? Zero::chosen
           : below                    ? Zero::between
                                      : Zero::least};
+}
+
+Quantity shared(const std::vector<Quantity>& all, const Cases& cases, const std::string& variable) {
+  Quantity out = all[0];
+  for (std::size_t c = 1; c < all.size(); ++c) {
+    if (all[c].unit != out.unit)
+      throw DataError(variable, fmt::format("is in {} in {}, and in {} in {}: draw them apart", all[c].unit,
+                                            cases[c].label, out.unit, cases[0].label));
+    if (all[c].name != out.name) out.name = variable;
+    if (all[c].zero == Zero::between) out.zero = Zero::between;
+  }
+  return out;
+}
+
+Quantity quantity_of(const Cases& cases, const std::string& variable) {
+  std::vector<Quantity> all;
+  for (const Case& c : cases) all.push_back(quantity_of(c.data.at(variable)));
+  return shared(all, cases, variable);
 }
 
 Patch patch_of(const Dataset& data, const std::string& variable, const Request& request) {
@@ -133,13 +156,26 @@ double hertz_pressure(const Dataset& data) {
   return p0;
 }
 
-Range value_range(const Request& request, const std::string& unit, Range otherwise) {
+Range value_range(const Request& request, const std::string& unit, Range present, Range otherwise) {
   if (request.range.empty()) return otherwise;
   const auto [low, high] = cli::parse_quantities("range", request.range, unit);
   if (!(low < high)) cli::refuse("range", request.range, "must have its lower bound first");
   if (!(drawable({low, high}) == Range{low, high}))
     cli::refuse("range", request.range, "is too narrow for double precision: widen it");
+  if (high < present.low || present.high < low)
+    cli::refuse("range", request.range,
+                "contains no value: give a part of " + in_words(present.low, unit) + " to " +
+                    in_words(present.high, unit));
   return {low, high};
+}
+
+Range part_of(Range present, Range asked, const char* option) {
+  const Range out{std::max(asked.low, present.low), std::min(asked.high, present.high)};
+  if (!(out.width() > 0))
+    throw ParameterError(
+        option, fmt::format("contains nothing to draw: give a part of {} to {}",
+                            cli::format_quantity(present.low, "m"), cli::format_quantity(present.high, "m")));
+  return out;
 }
 
 Colours colours_of(Range values, const Quantity& quantity) {
@@ -155,8 +191,9 @@ Colours colours_of(Range values, const Quantity& quantity) {
 }
 
 Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
-  Colours out = colours_of(range_of(patches), quantity);
-  out.range = value_range(request, quantity.unit, out.range);
+  const Range present = range_of(patches);
+  Colours out = colours_of(present, quantity);
+  out.range = value_range(request, quantity.unit, present, out.range);
   return out;
 }
 

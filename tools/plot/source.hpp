@@ -31,6 +31,10 @@ struct Quantity {
   Zero zero;
 };
 Quantity quantity_of(const Variable& variable);
+/// What the variable is in all cases, by its own name where theirs differ; throws DataError where units do.
+Quantity quantity_of(const Cases& cases, const std::string& variable);
+/// One of like variables, for one axis; the same.
+Quantity shared(const std::vector<Quantity>& all, const Cases& cases, const std::string& variable);
 
 /// variable(x, y) within the request's x and y ranges; missing points are NaN.
 Patch patch_of(const Dataset& data, const std::string& variable, const Request& request);
@@ -68,8 +72,13 @@ Section section_of(const Dataset& data, const std::string& text);
 /// contact_hertz_pressure; throws DataError where the dataset has none.
 double hertz_pressure(const Dataset& data);
 
-/// The value range requested, in SI, or `otherwise`.
-Range value_range(const Request& request, const std::string& unit, Range otherwise);
+/// The value range requested, in SI, or `otherwise`; throws ParameterError("range", …) where it contains none
+/// of the values from `present.low` to `present.high`.
+Range value_range(const Request& request, const std::string& unit, Range present, Range otherwise);
+
+/// The part of `present` that is asked for, of depths and positions; throws ParameterError(option, …) where
+/// there is none.
+Range part_of(Range present, Range asked, const char* option);
 
 /// Heights over their range, values of either sign about zero, others from zero up.
 Colours colours_of(Range values, const Quantity& quantity);

@@ -55,16 +55,24 @@ void require_a_cell(const std::string& variable, const Field& values) {
                     "there: draw a map");
 }
 
-// Multiples of the step; if only one fits, the midpoints between multiples, so that the axis has two numbers.
-// Their places are in plotted units.
+// Midway between the multiples of the step.
+Tics tics_between(Range shown, double step) {
+  Tics out;
+  for (const double v : multiples({shown.low - step / 2, shown.high - step / 2}, step))
+    out.push_back({v + step / 2, brief(v + step / 2)});
+  return out;
+}
+
+// Multiples of the step; if only one fits, the midpoints between multiples, of a step down to half of the
+// range, so that the axis has two numbers. Their places are in plotted units.
 Tics height_tics(Range values, double step, double scale, const Unit& unit) {
-  const Range shown{values.low / unit.factor, values.high / unit.factor};
+  const Range shown = values / unit.factor;
+  const double decade = std::pow(10, std::floor(std::log10(shown.width())));
   Tics out = tics_at(shown, step);
-  if (out.size() < 2) {
-    out.clear();
-    for (const double v : multiples({shown.low - step / 2, shown.high - step / 2}, step))
-      out.push_back({v + step / 2, brief(v + step / 2)});
-  }
+  if (out.size() < 2) out = tics_between(shown, step);
+  for (const double digit : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0, 0.8, 0.6, 0.5})
+    if (const double finer = digit * decade; out.size() < 2 && finer < step && 2 * finer >= shown.width())
+      out = tics_between(shown, finer);
   for (Tic& t : out) t.at *= unit.factor * scale;
   return out;
 }
@@ -89,10 +97,10 @@ struct Relief {
 
 Relief relief_of(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
-  const Quantity quantity = quantity_of(cases[0].data.at(variable));
+  const Quantity quantity = quantity_of(cases, variable);
   Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
   for (const Patch& p : out.patches) out.stride = std::max(out.stride, stride_of(variable, p.values));
-  out.values = value_range(request, out.quantity.unit, range_of(out.patches));
+  out.values = value_range(request, out.quantity.unit, range_of(out.patches), range_of(out.patches));
   out.level = level_of(out.patches, out.values, quantity);
   out.values = {out.values.low - out.level.value, out.values.high - out.level.value};
   for (Patch& p : out.patches) {
@@ -164,14 +172,15 @@ double step_of_heights(const View& view) {
 // stays clear of the highest of x at the corner in front.
 Tics tics_of_x(const View& view, double unit) {
   const double length = view.length(view.patch.x, seen_x);
-  return tics_at(view.patch.x / unit,
-                 round_step(view.patch.x.width() / unit, std::clamp(length / 3, 0.6, 4.0)));
+  return two_at_least(view.patch.x / unit,
+                      round_step(view.patch.x.width() / unit, std::clamp(length / 3, 0.6, 4.0)),
+                      2.2 / length);
 }
 Tics tics_of_y(const View& view, double unit) {
   const Range& y = view.patch.y;
   const double length = view.length(y, seen_y), clear = std::min(0.5, std::max(0.06, 1.3 / length));
-  return tics_at(Range{y.low + clear * y.width(), y.high} / unit,
-                 round_step(y.width() / unit, std::clamp(length / 1.8, 0.6, 4.0)));
+  return two_at_least(Range{y.low + clear * y.width(), y.high} / unit,
+                      round_step(y.width() / unit, std::clamp(length / 1.8, 0.6, 4.0)), 1.8 / length);
 }
 
 // Beside an axis, off by so many em: gnuplot's own labels know nothing of the numbers.
@@ -199,8 +208,9 @@ Script axes_of(const View& view, const Layout& layout, bool leftmost) {
   script.line("{}", label_at(relief.length.label("y"), {x.high, y.low + 0.2 * y.width(), z.low},
                              1.2 + longest(of_y), -1.2, layout, "left"));
   if (leftmost)
-    script.line("{}", label_at(relief.label(), {x.low, y.low, middle(z)}, -2.6 - longest(of_z), 0, layout,
-                               "rotate by 90 center"));
+    script.line("{}",
+                label_at(shortened(relief.label(), 1.15 * layout.panel_height / layout.em),
+                         {x.low, y.low, middle(z)}, -2.6 - longest(of_z), 0, layout, "rotate by 90 center"));
   for (Tic& tic : of_z)
     if (!leftmost) tic.text.clear();  // beside the panel on the left, whose scale they share
   script.line("{}", command("z", of_z));
@@ -221,7 +231,7 @@ Figure surface(const Cases& cases, const Request& request) {
   if (relief.stride > 1) out.title += fmt::format(", every {} point", ordinal(relief.stride));
   out.in_space = true;
   out.aspect = 0.72;
-  out.left = 6.4, out.right = 4, out.bottom = 3.2;
+  out.left = 6.4, out.right = 4, out.bottom = 3.2, out.top = 1.6;
   out.gap_x = 3.5, out.gap_y = 3.2;
   out.colours = {colours, {}, ""};
   out.commands = view_of(relief);

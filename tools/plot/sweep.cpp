@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "dataset/units.hpp"
 #include "stats/measure/parameter.hpp"
 #include "tools/plot/source.hpp"
 #include "tools/plot/table.hpp"
@@ -28,12 +29,20 @@ struct Sweep {
   Eigen::ArrayXd load, approach, area;
   Errors of_approach, of_area;
   Eigen::Array<bool, Eigen::Dynamic, 1> converged;
+
+  /// What its errors are, "" of none.
+  std::string words() const {
+    return of_approach.known() ? of_approach.words : of_area.known() ? of_area.words : "";
+  }
 };
 
 Sweep sweep_of(const Dataset& data) {
-  for (const char* name : {"load", "approach", "area"})
+  for (const auto& [name, unit] : {std::pair{"load", "N"}, {"approach", "m"}, {"area", "m2"}}) {
     if (!is_table(data) || !data.has(name))
       throw DataError(name, "is in no column: give the table that asperity-contact --sweep prints");
+    if (const std::string its = si_unit_of(data.at(name)); its != unit)
+      throw DataError(name, fmt::format("is in {}, and not in {}", its, unit));
+  }
   // What the outline of the cells adds to the area is told apart only where it is known.
   const std::string area = column(data, "area_corrected").isFinite().all() ? "area_corrected" : "area";
   return {column(data, "load"),        column(data, "approach"), column(data, area),
@@ -119,13 +128,15 @@ Figure sweep(const Cases& cases, const Request&) {
   grow.x = axis_of_growth(load, least_load, decades, newtons, "load");
   grow.y = axis_of_growth(area, least_area, decades, squares, "contact area");
   using enum LegendEntry::Key;
+  const bool one_kind = std::ranges::all_of(all, [&](const Sweep& s) { return s.words() == all[0].words(); });
   for (std::size_t c = 0; c < all.size(); ++c) {
     const Sweep& s = all[c];
     add_layers(press.layers, {s.approach, s.load, s.of_approach.half, true}, s, c, metres, newtons);
     add_layers(grow.layers, {s.load, s.area, s.of_area.half}, s, c, newtons, squares);
-    if (all.size() > 1) out.legend.push_back({line, line_colour(c), cases[c].label});
+    const std::string errors = s.words(), own = one_kind || errors.empty() ? "" : ", " + errors;
+    if (all.size() > 1) out.legend.push_back({line, line_colour(c), cases[c].label + own});
   }
-  if (all[0].of_approach.known() || all[0].of_area.known()) out.title = all[0].of_approach.words;
+  if (one_kind) out.title = all[0].words();
   if (std::ranges::any_of(all, [](const Sweep& s) { return !s.converged.all(); }))
     out.legend.push_back({circle, "black", "not converged"});
   out.panels = {press, grow};

@@ -64,10 +64,13 @@ bool touch(const Axis& axis, const Tics& tics, double length) {
 
 }  // namespace
 
-// In UTF-8 every byte except continuation bytes begins a character.
-double letters(std::string_view text) {
-  return static_cast<double>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+Tics two_at_least(Range range, double step, double least) {
+  Tics out = tics_at(range, step);
+  const double decade = std::pow(10, std::floor(std::log10(range.width())));
+  for (const double digit : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0, 0.8, 0.6, 0.5, 0.4})
+    if (const double finer = digit * decade; out.size() < 2 && finer < step && finer >= least * range.width())
+      out = tics_at(range, finer);
+  return out;
 }
 
 Tics tics_at(Range range, double step) {
@@ -84,7 +87,11 @@ Tics tics_along(const Axis& axis, double length) {
   for (double most = std::max(2.0, length / 3.2); most >= 1;
        most = most > 2 ? std::max(2.0, most - 1) : most - 1) {
     out = at_most(axis, most);
-    if (!touch(axis, out, length)) return out;
+    if (touch(axis, out, length)) continue;
+    if (out.size() > 1 || axis.logarithmic) return out;
+    const Range r = drawn(axis);
+    const Tics two = two_at_least(r, round_step(r.width(), most), 0);
+    return touch(axis, two, length) ? out : two;
   }
   if (out.size() > 1) out.erase(out.begin() + 1, out.end());
   return out;
@@ -111,6 +118,7 @@ Overhang overhang(const Axis& axis, double length) {
 }
 
 std::string command(std::string_view axis, const Tics& tics) {
+  if (tics.empty()) return fmt::format("unset {}tics", axis);  // an empty list means gnuplot's own
   std::string list;
   for (const auto& [at, text] : tics)
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", gnuplot_string(text), at);
