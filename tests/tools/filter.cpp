@@ -108,7 +108,7 @@ TEST_CASE("a missing point is filled by a membrane, the mean or the least height
   CHECK(value("least") == 0);
 }
 
-TEST_CASE("--decimate of one number thins both axes", "[filter][exact]") {
+TEST_CASE("decimation by one number thins both axes", "[filter][exact]") {
   write_map(rough(), grid, "map.nc");
   filtered("--decimate 3", "one.nc");
   filtered("--decimate 3x3", "two.nc");
