@@ -1,7 +1,6 @@
 /// The lines of a text, read in one way: with one separator and one meaning of commas.
 ///
-/// A line has cells. A cell that begins with a double quote ends at the next one, and separators in it
-/// separate nothing. Where words may stand above the numbers (Asked::head), the numbers begin with the first
+/// A line has cells (formats/text_cells.hpp). Where words may stand above the numbers (Asked::head), the numbers begin with the first
 /// line in which every cell is a number or empty and at least one is a number; from there on, a cell that is
 /// neither is a fault. The lines above are kept, comments too. Among the numbers, a comment with a number in
 /// every other column is a fault, unless its first cell is a number behind the mark.
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "formats/map.hpp"
+#include "formats/text_cells.hpp"
 #include "formats/text_numbers.hpp"
 
 namespace asperity {
@@ -70,12 +70,5 @@ struct Table {
 inline constexpr std::size_t most_head_lines = 65536;
 
 Table read_table(std::string_view text, Dialect dialect, const Asked& asked);
-
-/// The cells of a line, without blanks and quotes around them.
-std::vector<std::string_view> cells_of(std::string_view line, Separator separator, bool quotes);
-/// Whether a line is a comment: it begins with # or %, or with ; if it is not the separator. Not so where its
-/// first cell is a missing point, of three or more # only beside a number, or % alone before a number.
-bool is_comment(std::string_view line, Separator separator, const std::vector<std::string>& missing = {});
-char character_of(Separator separator);
 
 }  // namespace asperity
