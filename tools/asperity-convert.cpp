@@ -74,6 +74,13 @@ Dataset without_depth(Dataset data) {
   return data;
 }
 
+// Whether --variable names a field that is not yet the map.
+bool names_another(const cli::Tool& tool, const Dataset& data, const std::string& variable) {
+  if (!tool.given("--variable")) return false;
+  data.at(variable);
+  return variable != "heights" && (variable != "values" || data.has("heights"));
+}
+
 // A dataset keeps everything unless its map changes.
 Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                      std::optional<cli::Bytes> bytes) {
@@ -84,7 +91,7 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
   }
   Dataset data = decoded(tool, *bytes);
   bytes.reset();
-  if (options.map.changes())
+  if (options.map.changes() || names_another(tool, data, options.variable))
     cli::replace_surface(tool, data, options.map.applied(map_of(data, options.variable)));
   return options.surface ? without_depth(std::move(data)) : data;
 }
@@ -99,6 +106,7 @@ std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const
   const Map map = map_from(tool, format, options, *bytes);
   std::string out = format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
   for (const std::string& line : notes_of(map)) tool.note(line);
+  if (map.periodic.any()) tool.note(target + " does not hold that the map is periodic");
   return out;
 }
 
@@ -128,7 +136,8 @@ int main(int argc, char** argv) {
       "asperity-convert",
       "Converts surface maps between file formats, and datasets for ParaView. Lengths and heights become "
       "metres. Missing points stay missing. A dataset keeps all its variables, but when its map gets another "
-      "size or unit, results of the former surface are dropped. asperity-filter levels, fills, crops or "
+      "size or unit, or is another --variable, results of the former surface are dropped. asperity-filter "
+      "levels, fills, crops or "
       "resamples a map.");
   Options o;
   tool.input();

@@ -1,8 +1,9 @@
 /// Blocks of lines of numbers in a text, which would be several maps in one file.
 ///
 /// Lines are parted by an empty line, or by a comment like the head of a block: its words are, but for
-/// numbers and digits, those of a comment above all numbers; or there are three words at most and the first is
-/// block, channel, data, frame, image, layer or map. If no two lines stand together, all are lines of one map.
+/// numbers and digits, those of a comment above all numbers; or there are three words at most and the first
+/// is block, channel, data, frame, image, layer or map. If no two lines stand together, all are lines of one
+/// map.
 #pragma once
 
 #include <set>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/refuse.hpp"
+#include "formats/text_blocks.hpp"
 
 namespace asperity {
 namespace {
@@ -21,6 +22,8 @@ std::string fault_of(std::string_view cell, bool map) {
          (map ? ", or tell asperity-convert if it means a missing point (`missing`)" : "");
 }
 
+constexpr std::size_t longest_grouped = 64;  // of a number with blanks between thousands, in bytes
+
 class TableReader {
  public:
   TableReader(std::string_view text, Dialect dialect, const Asked& asked)
@@ -34,14 +37,12 @@ class TableReader {
     for (; !rest_.empty() && !table_.fault; ++line_) {
       const std::string_view line = take_line(rest_), words = trimmed(line);
       const Separator separator = table_.dialect.separator;
-      apart_ |= words.empty();
-      if (words.empty()) continue;
-      if (!is_comment(words, separator, asked_.missing))
+      if (words.empty())
+        blocks_.empty_line();
+      else if (!is_comment(words, separator, asked_.missing))
         add(content_of(line, separator));
-      else if (begins_)
-        keep(words);
       else
-        check_comment(content_of(line, separator), words);
+        add_comment(content_of(line, separator), words);
     }
     if (!table_.fault) finish();
     if (!decimal_) table_.mixed = mixed_;
@@ -78,6 +79,11 @@ class TableReader {
       fail(line.data(), fmt::format("more than {} lines of words", most_head_lines));
   }
 
+  void add_comment(std::string_view line, std::string_view words) {
+    blocks_.comment(words, begins_);
+    begins_ ? keep(words) : check_comment(line, words);
+  }
+
   // A cell that begins like a comment among numbers in all other columns may be a number that failed. What is
   // a number behind the mark was taken out on purpose.
   void check_comment(std::string_view line, std::string_view words) {
@@ -110,7 +116,7 @@ class TableReader {
     table_.lines = 0;
     table_.first_line = 0;
     trailing_ = true;
-    table_.holes = number_ = false;
+    table_.holes = table_.spaced = number_ = false;
     keep(line);
     ++table_.head_lines;
   }
@@ -133,13 +139,8 @@ class TableReader {
       table_.first_line = line_;
       table_.begins = line.data();
     }
-    if (!begins_ && std::exchange(apart_, false)) {
-      if (table_.next_block == 0) table_.next_block = line_;
-    } else {
-      several_ |= !begins_;
-    }
+    blocks_.numbers(line_, begins_);
     if (begins_ && number_ && count > 0) {
-      apart_ = false;
       begins_ = false;
       reserve();
     }
@@ -160,7 +161,7 @@ class TableReader {
       table_.holes = true;
       return push(Map::unknown);
     }
-    auto value = number_of(cell, table_.dialect.comma);
+    auto value = number_in(cell);
     if (Mark* mark = mark_of(cell, value)) {
       mark->seen = true;
       value = Map::unknown;
@@ -176,6 +177,17 @@ class TableReader {
       if (asked_.head && !decimal_ && std::isfinite(*value)) compare(cell);
       push(*value);
     }
+  }
+
+  // Between tabs, blanks may stand between thousands.
+  std::optional<double> number_in(std::string_view cell) {
+    const auto out = number_of(cell, table_.dialect.comma);
+    if (out || table_.dialect.separator != Separator::tab || cell.find(' ') == cell.npos) return out;
+    std::string marked(cell.substr(0, longest_grouped));
+    std::ranges::replace(marked, ' ', '\'');
+    const auto grouped = cell.size() > marked.size() ? std::nullopt : number_of(marked, table_.dialect.comma);
+    table_.spaced |= grouped.has_value();
+    return grouped;
   }
 
   Mark* mark_of(std::string_view cell, const std::optional<double>& value) {
@@ -229,7 +241,8 @@ class TableReader {
                                             counted(static_cast<Index>(numbers), "number"), asked_.shape->nx,
                                             asked_.shape->ny));
     if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
-    if (!several_) table_.next_block = 0;  // an empty line between all
+    table_.next_block = blocks_.second();
+    table_.parted_by = blocks_.parted_by();
   }
 
   void remove_last_column() {
@@ -251,9 +264,8 @@ class TableReader {
   std::vector<std::array<bool, 2>> seen_{};  // of each column: numbers without a point, and with one
   std::string mixed_;                        // as Table::mixed
   bool decimal_ = false;                     // points are decimal marks
-  bool apart_ = false;                       // the last line was empty
-  bool several_ = false;                     // two lines of numbers had none between them
-  std::size_t line_, most_;                  // most_: numbers
+  Blocks blocks_{};
+  std::size_t line_, most_;  // most_: numbers
 };
 
 }  // namespace

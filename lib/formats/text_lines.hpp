@@ -1,9 +1,10 @@
 /// The lines of a text, read in one way: with one separator and one meaning of commas.
 ///
-/// A line has cells (formats/text_cells.hpp). Where words may stand above the numbers (Asked::head), the numbers begin with the first
-/// line in which every cell is a number or empty and at least one is a number; from there on, a cell that is
-/// neither is a fault. The lines above are kept, comments too. Among the numbers, a comment with a number in
-/// every other column is a fault, unless its first cell is a number behind the mark.
+/// A line has cells (formats/text_cells.hpp). Where words may stand above the numbers (Asked::head), the
+/// numbers begin with the first line in which every cell is a number or empty and at least one is a number;
+/// from there on, a cell that is neither is a fault. The lines above are kept, comments too. Among the
+/// numbers, a comment with a number in every other column is a fault, unless its first cell is a number
+/// behind the mark.
 ///
 /// Cost      one pass; memory for one double per number.
 #pragma once
@@ -56,7 +57,9 @@ struct Table {
   bool proved = false;                   ///< a number shows marks between thousands: "1.234,5"
   bool contradicted = false;             ///< a number has none where they would stand: "1512.5"
   std::string mixed = {};                ///< "1.234" in a column with "481": a decimal mark, or thousands
-  std::size_t next_block = 0;            ///< line of the numbers below an empty line, if more follow
+  bool spaced = false;                   ///< a blank between tabs stands between thousands: "1 234,5"
+  std::size_t next_block = 0;            ///< line of the numbers of a second block (formats/text_blocks.hpp)
+  std::string parted_by = {};            ///< what stands above it
   std::vector<std::string> unseen = {};  ///< words of missing points that no cell has
   std::vector<HeadLine> head = {};       ///< all of them
   std::size_t head_lines = 0;            ///< all of them, without comments
