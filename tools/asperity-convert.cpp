@@ -96,17 +96,30 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
   return options.surface ? without_depth(std::move(data)) : data;
 }
 
+bool says_periodic(const Dataset& data, const char* axis) {
+  const Variable* const coordinate = data.find(axis);
+  return coordinate != nullptr && coordinate->attributes.number("periodic", 0) != 0;
+}
+
+void note_periodic(const cli::Tool& tool, const std::string& target, bool periodic) {
+  if (periodic) tool.note(target + " does not hold that the map is periodic");
+}
+
 // Every format except NetCDF.
 std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                     const std::string& target, std::optional<cli::Bytes> bytes) {
   for (const auto& [name, encode] : for_paraview)
-    if (target == name) return encode(dataset_from(tool, format, options, std::move(bytes)));
+    if (target == name) {
+      const Dataset data = dataset_from(tool, format, options, std::move(bytes));
+      note_periodic(tool, target, says_periodic(data, "x") || says_periodic(data, "y"));
+      return encode(data);
+    }
   if (options.surface)
     throw cli::UsageError("surface", "needs --to netcdf, vti or vtr: " + target + " holds one map only");
   const Map map = map_from(tool, format, options, *bytes);
   std::string out = format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
   for (const std::string& line : notes_of(map)) tool.note(line);
-  if (map.periodic.any()) tool.note(target + " does not hold that the map is periodic");
+  note_periodic(tool, target, map.periodic.any());
   return out;
 }
 
