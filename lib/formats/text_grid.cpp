@@ -95,6 +95,14 @@ Fit fit(const Lines& lines, const std::vector<Index>& places, const Print& print
   return out;
 }
 
+// Whether the coordinates are nearest to lines one after the other.
+bool each_at_its_place(const Lines& lines, const GridAxis& axis) {
+  if (!(axis.step > 0)) return false;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (axis.place(lines[k]) != static_cast<Index>(k)) return false;
+  return true;
+}
+
 // The steps for which all bands x_k ± half_k - k·step have a number in common are an interval; the width of
 // what they have in common is concave in the step.
 Fit centred_fit(const Lines& lines, const Print& print) {
@@ -118,7 +126,7 @@ Fit centred_fit(const Lines& lines, const Print& print) {
   }
   out.axis.first = 0.5 * (low + high);
   out.tied = high - low <= 1e-6 * std::ranges::max(half);
-  out.holds = out.rounded = low <= high && out.axis.step > 2 * std::ranges::max(half) * (1 - 1e-6);
+  out.holds = out.rounded = low <= high && each_at_its_place(lines, out.axis);
   return out;
 }
 

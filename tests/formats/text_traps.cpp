@@ -40,6 +40,13 @@ TEST_CASE("a spacing of 1.1 to 2.5 printed digits is read as it was before it wa
     }
 }
 
+// Whole numbers of one digit and 10 were taken for numbers with one significant digit, 10 for one off by 5.
+TEST_CASE("a few whole numbers evenly apart before they were rounded are a grid", "[formats][text][exact]") {
+  const Map map = format::text.decode(profile(-9.6, 2.07, 10, "%.0f"), points);
+  CHECK(map.values.rows() == 10);
+  CHECK(!map.values.hasNaN());
+}
+
 TEST_CASE("an even spacing that rounding explains as well as a few missing points is refused",
           "[formats][text][contract]") {
   for (const char* text : {"0 1\n1 2\n2 3\n4 4\n5 5\n6 6\n8 7\n", "0 1\n1 2\n3 3\n4 4\n"})
