@@ -38,7 +38,7 @@ TEST_CASE("a map in volts is refused by formats without units, and every tool na
   CHECK(shell("asperity-stats --parameters height v.nc --variable values").exit == 0);
 }
 
-TEST_CASE("--variable of a dataset becomes its map in every format, and a wrong name is refused",
+TEST_CASE("the field of --variable becomes the map in every format, and a wrong name is refused",
           "[convert][contract]") {
   write_text("v.csv", points);
   REQUIRE(shell("asperity-convert v.csv --xyz x,y,u -q -o v.nc").exit == 0);
