@@ -74,6 +74,13 @@ Dataset without_depth(Dataset data) {
   return data;
 }
 
+// Whether --variable names a field that is not yet the map.
+bool names_another(const cli::Tool& tool, const Dataset& data, const std::string& variable) {
+  if (!tool.given("--variable")) return false;
+  data.at(variable);
+  return variable != "heights" && (variable != "values" || data.has("heights"));
+}
+
 // A dataset keeps everything unless its map changes.
 Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                      std::optional<cli::Bytes> bytes) {
@@ -84,21 +91,35 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
   }
   Dataset data = decoded(tool, *bytes);
   bytes.reset();
-  if (options.map.changes())
+  if (options.map.changes() || names_another(tool, data, options.variable))
     cli::replace_surface(tool, data, options.map.applied(map_of(data, options.variable)));
   return options.surface ? without_depth(std::move(data)) : data;
+}
+
+bool says_periodic(const Dataset& data, const char* axis) {
+  const Variable* const coordinate = data.find(axis);
+  return coordinate != nullptr && coordinate->attributes.number("periodic", 0) != 0;
+}
+
+void note_periodic(const cli::Tool& tool, const std::string& target, bool periodic) {
+  if (periodic) tool.note(target + " does not hold that the map is periodic");
 }
 
 // Every format except NetCDF.
 std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                     const std::string& target, std::optional<cli::Bytes> bytes) {
   for (const auto& [name, encode] : for_paraview)
-    if (target == name) return encode(dataset_from(tool, format, options, std::move(bytes)));
+    if (target == name) {
+      const Dataset data = dataset_from(tool, format, options, std::move(bytes));
+      note_periodic(tool, target, says_periodic(data, "x") || says_periodic(data, "y"));
+      return encode(data);
+    }
   if (options.surface)
     throw cli::UsageError("surface", "needs --to netcdf, vti or vtr: " + target + " holds one map only");
   const Map map = map_from(tool, format, options, *bytes);
   std::string out = format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
   for (const std::string& line : notes_of(map)) tool.note(line);
+  note_periodic(tool, target, map.periodic.any());
   return out;
 }
 
@@ -128,7 +149,8 @@ int main(int argc, char** argv) {
       "asperity-convert",
       "Converts surface maps between file formats, and datasets for ParaView. Lengths and heights become "
       "metres. Missing points stay missing. A dataset keeps all its variables, but when its map gets another "
-      "size or unit, results of the former surface are dropped. asperity-filter levels, fills, crops or "
+      "size or unit, or is another --variable, results of the former surface are dropped. asperity-filter "
+      "levels, fills, crops or "
       "resamples a map.");
   Options o;
   tool.input();

@@ -79,8 +79,10 @@ const Variable& Dataset::at(std::string_view variable) const {
   if (const Variable* present = find(variable)) return *present;
   std::string names;
   for (const Variable& v : variables) names += (names.empty() ? "" : ", ") + v.name;
+  const bool other = variable == "heights" && has("values");  // the map, of another quantity than lengths
   throw MissingVariable(std::string(variable), "is missing; the dataset has " +
-                                                   (names.empty() ? std::string("no variables") : names));
+                                                   (names.empty() ? std::string("no variables") : names) +
+                                                   (other ? ": its map is `variable` values" : ""));
 }
 
 Variable& Dataset::put(Variable variable) {

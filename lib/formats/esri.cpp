@@ -75,7 +75,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
 }
 
 std::string encode(const Map& map, Order) {
-  check_size(map, "an ESRI grid");
+  check_heights(map, "an ESRI grid");
   const auto [dx, dy] = map.spacing;
   const double nodata = nodata_of(map.values);
   const std::string cell = dx == dy ? fmt::format("cellsize {}", shortest(dx))

@@ -30,7 +30,7 @@ std::span<const Format> formats() {
 }
 
 bool is_text(std::string_view bytes) {
-  if (is_utf16(bytes)) return true;
+  if (is_utf16(bytes) || lacks_mark(bytes)) return true;
   return std::ranges::none_of(bytes.substr(0, 4096), [](unsigned char c) {
     return c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
   });

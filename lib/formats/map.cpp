@@ -54,7 +54,7 @@ double metres_per(std::string_view unit) {
 }
 
 void set_units(Map& map, std::string_view unit) {
-  map.units = one_line(unit, longest_unit);
+  map.units = map.file_units = one_line(unit, longest_unit);
   double factor = 1;
   try {
     factor = metres_per(unit);
@@ -117,6 +117,7 @@ Map map_of(const Dataset& dataset, std::string_view variable) {
   return {.values = field_of(dataset, variable, Missing::not_a_number),
           .spacing = {grid.dx, grid.dy},
           .units = unit_of(field).empty() ? "" : si_unit_of(field),
+          .file_units = unit_of(field),
           .title = field.attributes.text("long_name"),
           .periodic = grid.periodic};
 }

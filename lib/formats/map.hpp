@@ -39,6 +39,7 @@ struct Reading {
   std::string columns = {};  ///< of a text: of z, x z or x y z by number or name, perhaps with units:
                              ///< "1/um,2/um,4/nm"; "none": all are heights; "": as its header says
   bool unit_told = false;    ///< the caller knows the unit of the values if the file gives none
+  bool size_told = false;    ///< the caller knows the size of the map
   std::string channel = {};  ///< of a file of several maps: its name or number (formats/channels.hpp)
   MemoryBound memory = {};   ///< without the file's bytes, if the caller counts them as taken
 };
@@ -48,10 +49,11 @@ struct Map {
 
   Field values;                                     ///< (x, y) in SI if they are lengths; NaN: missing
   std::array<double, 2> spacing{unknown, unknown};  ///< Δx, Δy [m]; NaN: not in the file
-  std::string units = {};  ///< "m", or a unit that is not a length; "": not in the file
-  std::string title = {};  ///< the channel's name, or ""
+  std::string units = {};       ///< "m", or a unit that is not a length; "": not in the file
+  std::string file_units = {};  ///< as the file spells them, or ""
+  std::string title = {};       ///< the channel's name, or ""
   decltype(Grid::periodic) periodic = {};
-  std::string history = {};  ///< "time: command" of another program that read the file, or ""
+  std::string history = {};     ///< "time: command" of another program that read the file, or ""
   std::string understood = {};  ///< how a text was read, for a person: one line, or ""
 };
 

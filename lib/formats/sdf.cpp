@@ -12,8 +12,8 @@
 /// and the numbers, line by line from the smallest y, up to another * or the end of the file. Text after it
 /// is ignored, a second map is refused. In text the names may have any order. Binary files have no names; all
 /// numbers are least significant byte first (the only order in the standard), and the data follow the 81 (85)
-/// bytes of the header directly, or two fields of four bytes that Olympus inserts. With a single line, Yscale
-/// has no meaning and the spacing in y is unknown.
+/// bytes of the header directly, or two fields of four bytes that Olympus inserts. With a single line, a
+/// Yscale that is not positive leaves the spacing in y unknown.
 ///
 /// A missing point is BAD in text. In binary it is NaN or the largest number of either sign for floating
 /// types, the largest for unsigned types, and the smallest for signed ones; in BCR, the largest too.
@@ -76,7 +76,8 @@ void check(const Described& d) {
 }
 
 Map heights_of(Field values, const Described& d) {
-  Map map{.values = std::move(values), .spacing = {d.dx, d.shape.ny > 1 ? d.dy : Map::unknown}, .units = "m"};
+  const bool known = d.dy > 0 && std::isfinite(d.dy);  // of a single line it may not be
+  Map map{.values = std::move(values), .spacing = {d.dx, known ? d.dy : Map::unknown}, .units = "m"};
   if (d.unit != 1) map.values *= d.unit;
   return map;
 }

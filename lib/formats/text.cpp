@@ -87,15 +87,20 @@ Stated stated_in(std::string_view text, const Table& table) {
 // The matrix, or its only column that counts.
 Map map_of_matrix(Table table, const Columns& columns, const Stated& stated, const Reading& reading) {
   if (table.next_block > 0)
-    refuse(
-        "line {}: numbers go on below an empty line: a file holds one map; remove the line, or all blocks "
-        "but one",
-        table.next_block);
+    refuse("line {}: numbers go on below {}: a file holds one map; remove the line, or all blocks but one",
+           table.next_block, table.parted_by);
   Field lines = Eigen::Map<const Field>(table.values.data(), table.lines, table.columns);
   table.values = {};
   if (columns.of.size() == 1) lines = lines.col(columns.of[0]).eval();
   if (stated.order.value_or(reading.order) == Order::yx) lines.transposeInPlace();
   return {.values = std::move(lines), .spacing = stated.spacing};
+}
+
+// Of points, without what only a matrix has.
+Map map_of_points(const Table& table, const Columns& columns, const Reading& reading) {
+  if (reading.order == Order::yx)
+    refuse("points come in any order: omit that of the lines of a matrix (`from-order`)");
+  return map_of_points(table, columns);
 }
 
 // Of the values, by the label of their column or a line alone.
@@ -112,20 +117,22 @@ std::string unit_of(const Table& table, const Columns& columns, const Stated& st
   return label.empty() ? line : label;
 }
 
-std::string spacing_words(const Map& map) {
+std::string spacing_words(const Map& map, bool told) {
+  if (told) return "";
   if (std::isnan(map.spacing[0])) return ", no size given";
   const auto length = [](double x) { return in_digits(x, 4) + " m"; };
   return ", spacing " + length(map.spacing[0]) +
          (map.spacing[0] == map.spacing[1] ? "" : " x " + length(map.spacing[1]));
 }
 
-std::string understood(const Map& map, const Table& table, const Columns& columns, Order order) {
+std::string understood(const Map& map, const Table& table, const Columns& columns, Order order,
+                       bool size_told) {
   const std::string what = columns.of.size() == 3   ? "points x y z"
                            : columns.of.size() == 2 ? "points x z"
                            : order == Order::yx     ? "a line for each y"
                                                     : "a line for each x";
   std::string out = fmt::format("read as a map of {} x {}, {}{}", map.values.rows(), map.values.cols(), what,
-                                spacing_words(map));
+                                spacing_words(map, size_told));
   const Index missing = map.values.isNaN().count();
   if (missing > 0) out += fmt::format(", {} missing", counted(missing, "point"));
   if (table.columns > 1) out += ", " + described(table.dialect);
@@ -147,9 +154,9 @@ Map map_of_text(std::string_view text, const Reading& reading) {
   shown.columns = table.columns;
   shown.head_lines = table.head_lines;
   shown.unseen = table.unseen;
-  Map map = columns.points() ? map_of_points(table, columns)
+  Map map = columns.points() ? map_of_points(table, columns, reading)
                              : map_of_matrix(std::move(table), columns, stated, reading);
-  map.understood = understood(map, shown, columns, stated.order.value_or(reading.order));
+  map.understood = understood(map, shown, columns, stated.order.value_or(reading.order), reading.size_told);
   if (unit.empty()) return map;
   set_units(map, unit);
   map.understood += ", values in " + one_line(unit, 24);
@@ -157,6 +164,7 @@ Map map_of_text(std::string_view text, const Reading& reading) {
 }
 
 Map decode(std::string_view bytes, const Reading& reading) {
+  refuse_without_mark(bytes, "map");
   if (!is_utf16(bytes)) return map_of_text(bytes.substr(bytes.starts_with("\xef\xbb\xbf") ? 3 : 0), reading);
   reading.memory.require(1.5 * static_cast<double>(bytes.size()), "map");
   const std::string text = utf8_from_utf16(bytes);

@@ -50,11 +50,28 @@ Index column_named(const Labels& labels, const std::string& name, Index columns)
   return *out;
 }
 
+bool is_column(const Labels& labels, const std::string& name) {
+  return whole_number_of(name).has_value() ||
+         std::ranges::any_of(labels, [&](const Label& l) { return lower(l.name) == lower(name); });
+}
+
+// A name or a number, perhaps with a unit: of length, or behind the last slash of any quantity.
+Label told_label(const Labels& labels, std::string_view told) {
+  const Label label = label_of(told);
+  const std::size_t slash = told.rfind('/');
+  if (!label.unit.empty() || slash == told.npos || is_column(labels, label.name)) return label;
+  const Label out{std::string(trimmed(told.substr(0, slash))), std::string(trimmed(told.substr(slash + 1)))};
+  if (!is_column(labels, out.name)) return label;
+  if (!is_unit(out.unit))
+    refuse("`xyz` gives {} the unit {}, which is unknown", quoted(out.name), quoted(out.unit));
+  return out;
+}
+
 Columns told_columns(const Table& table, const Labels& labels, std::string_view told) {
   Columns out;
   while (true) {
     const std::size_t end = told.find(',');
-    const Label label = label_of(told.substr(0, end));
+    const Label label = told_label(labels, told.substr(0, end));
     const Index column = column_named(labels, label.name, table.columns);
     if (std::ranges::find(out.of, column) != out.of.end())
       refuse("`xyz` asks for {} twice", quoted(label.name));
@@ -185,11 +202,16 @@ Columns decided(const Table& table, const Labels& labels, const Reading& reading
     return told_columns(table, labels, reading.columns);
   if (reading.columns == "none" || bare) return {{}, {common_unit(labels)}};
   if (const auto columns = labelled_columns(labels)) return *columns;
-  const bool coordinates = has_coordinates({table.values.data(), table.lines, table.columns});
+  const Coordinates found = coordinates_in({table.values.data(), table.lines, table.columns});
+  const bool coordinates = found == Coordinates::columns;
   const bool few = labels.size() == 2 || labels.size() == 3;
   if (coordinates && few && all_lengths(labels))
     return with_units(labels.size() == 2 ? std::vector<Index>{0, 1} : std::vector<Index>{0, 1, 2}, labels);
   if (coordinates) refuse_columns("the first columns look like coordinates");
+  if (found == Coordinates::line)
+    refuse(
+        "the first line looks like coordinates: remove it and give asperity-convert the `size`, or tell it "
+        "that all are heights (`xyz` none)");
   return {{}, {common_unit(labels)}};
 }
 

@@ -1,10 +1,10 @@
 /// What the columns of a text are: heights, or points of a profile or of a surface.
 ///
-/// They are points if Reading::columns says so, or the labels above them: x and z, or x, y and z, with a unit
-/// of length for each; columns without such a name are left out beside the letters x, y and z. Two columns
-/// x and y are a profile. Two or three columns with other names, all of lengths, are points if they look so
-/// (formats/text_coordinates.hpp). Otherwise all columns are heights; what looks like coordinates then, or
-/// has labels of some of them, is refused unless Reading::columns is "none".
+/// They are points if Reading::columns says so, or the labels above them: x and z, or x, y and z, with units,
+/// those of x and y of length; columns without such a name are left out beside the letters x, y and z. Two
+/// columns x and y are a profile. Two or three columns with other names, all of lengths, are points if they
+/// look so (formats/text_coordinates.hpp). Otherwise all columns are heights; what looks like coordinates
+/// then, a first line too, or has labels of some of them, is refused unless Reading::columns is "none".
 #pragma once
 
 #include <string>

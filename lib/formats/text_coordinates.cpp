@@ -1,6 +1,7 @@
 #include "formats/text_coordinates.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "formats/text_grid.hpp"
@@ -61,9 +62,18 @@ bool labelled(const Lines& lines) {
   return even(lines.col(0).tail(n)) && even(lines.row(0).tail(columns)) && !even(lines.col(columns).tail(n));
 }
 
-}  // namespace
+// Even positions above lines of which none is even.
+bool below_positions(const Lines& lines) {
+  const Index corner = std::isnan(lines(0, 0)) ? 1 : 0, columns = lines.cols() - corner;
+  if (lines.rows() < 3 || columns < 4 - corner) return false;
+  const auto line = [&](Index i) { return Column(lines.row(i).tail(columns)); };
+  if (!even(line(0))) return false;
+  for (Index i = 1; i < lines.rows(); ++i)
+    if (even(line(i))) return false;
+  return true;
+}
 
-bool has_coordinates(const Lines& lines) {
+bool in_columns(const Lines& lines) {
   const Index n = lines.rows(), columns = lines.cols();
   if (n < 3 || columns < 2) return false;
   if (labelled(lines)) return true;
@@ -72,6 +82,13 @@ bool has_coordinates(const Lines& lines) {
   if (columns == 2) return steady(first);
   if (columns == 3 && second.isFinite().all()) return are_coordinates(first, second, last);
   return even(first) && !even(last);
+}
+
+}  // namespace
+
+Coordinates coordinates_in(const Lines& lines) {
+  if (in_columns(lines)) return Coordinates::columns;
+  return below_positions(lines) ? Coordinates::line : Coordinates::none;
 }
 
 }  // namespace asperity

@@ -1,6 +1,10 @@
 #include "formats/text_encoding.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+
+#include "core/error.hpp"
 
 namespace asperity {
 namespace {
@@ -51,6 +55,28 @@ void append(std::string& out, char32_t c) {
 
 bool is_utf16(std::string_view bytes) {
   return bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+}
+
+bool lacks_mark(std::string_view bytes) {
+  constexpr std::size_t looked_at = 4096, least = 8;
+  constexpr double share = 0.9;  // of characters below U+0100
+  bytes = bytes.substr(0, std::min(looked_at, bytes.size() / 2 * 2));
+  if (is_utf16(bytes) || bytes.size() < least) return false;
+  std::array<std::size_t, 2> zeros{}, control{};
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const auto c = static_cast<unsigned char>(bytes[i]);
+    zeros[i % 2] += c == 0;
+    control[i % 2] += c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+  }
+  const auto nearly_all = share * static_cast<double>(bytes.size() / 2);
+  for (const std::size_t high : {std::size_t{0}, std::size_t{1}})
+    if (static_cast<double>(zeros[high]) >= nearly_all && control[1 - high] == 0) return true;
+  return false;
+}
+
+void refuse_without_mark(std::string_view bytes, const std::string& variable) {
+  if (lacks_mark(bytes))
+    throw DataError(variable, "the text looks like UTF-16 without its byte-order mark: save it as UTF-8");
 }
 
 std::string utf8_from_utf16(std::string_view bytes) {

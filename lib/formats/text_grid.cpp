@@ -13,6 +13,8 @@ namespace {
 
 using Lines = std::vector<double>;
 
+constexpr Index no_chance = 8;  // missing lines that an even spacing explains as well
+
 // In ascending order, each once.
 Lines lines_of(const Column& coordinates) {
   Lines out;
@@ -64,6 +66,8 @@ class Print {
     return std::pow(10.0, std::max(last_, own));
   }
   double tolerance(double x) const { return 0.5 * (digit(x) + ends_) * (1 + 1e-9) + rounding_; }
+  // The same where the grid does not begin and end at printed coordinates.
+  double half(double x) const { return 0.5 * digit(x) * (1 + 1e-9) + rounding_; }
   double apart(double x) const { return digit(x) * (1 + 1e-9) + rounding_; }
 
  private:
@@ -73,8 +77,9 @@ class Print {
 
 struct Fit {
   GridAxis axis;
-  double worst = 0, off = 0;  // the coordinate furthest from its place, by `off` of the step
-  bool holds = false;
+  double worst = 0, off = 0;            // the coordinate furthest from its place, by `off` of the step
+  bool holds = false, rounded = false;  // rounded: (2) holds
+  bool tied = false;                    // and for one choice only
 };
 
 Fit fit(const Lines& lines, const std::vector<Index>& places, const Print& print) {
@@ -87,6 +92,41 @@ Fit fit(const Lines& lines, const std::vector<Index>& places, const Print& print
     out.holds = out.holds && off <= std::min(print.tolerance(lines[i]), 0.25 * out.axis.step);
   }
   out.off /= out.axis.step;
+  return out;
+}
+
+// Whether the coordinates are nearest to lines one after the other.
+bool each_at_its_place(const Lines& lines, const GridAxis& axis) {
+  if (!(axis.step > 0)) return false;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (axis.place(lines[k]) != static_cast<Index>(k)) return false;
+  return true;
+}
+
+// The steps for which all bands x_k ± half_k - k·step have a number in common are an interval; the width of
+// what they have in common is concave in the step.
+Fit centred_fit(const Lines& lines, const Print& print) {
+  constexpr int halvings = 60;
+  const auto last = static_cast<double>(lines.size() - 1);
+  Lines half(lines.size());
+  std::ranges::transform(lines, half.begin(), [&](double x) { return print.half(x); });
+  const double range = lines.back() - lines.front(), ends = half.front() + half.back();
+  double least = (range - ends) / last, most = (range + ends) / last, low = 0, high = 0;
+  Fit out{.axis = {.count = static_cast<Index>(lines.size())}};
+  for (int n = 0; n < halvings; ++n) {
+    const double step = out.axis.step = 0.5 * (least + most);
+    std::size_t lowest = 0, highest = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const double place = lines[k] - static_cast<double>(k) * step;
+      if (k == 0 || place - half[k] > low) low = place - half[k], lowest = k;
+      if (k == 0 || place + half[k] < high) high = place + half[k], highest = k;
+    }
+    if (lowest == highest) break;
+    (lowest > highest ? least : most) = step;
+  }
+  out.axis.first = 0.5 * (low + high);
+  out.tied = high - low <= 1e-6 * std::ranges::max(half);
+  out.holds = out.rounded = low <= high && each_at_its_place(lines, out.axis);
   return out;
 }
 
@@ -128,6 +168,12 @@ Fits fits_of(const Lines& lines, const std::vector<Index>& in_turn, const Print&
   Fits out{fit(lines, in_turn, print), {}};
   const auto places = places_with_holes(lines, in_turn);
   if (!places.empty()) out.holes = fit(lines, places, print);
+  const Index missing = out.holes.holds ? out.holes.axis.count - out.every.axis.count : 0;
+  if ((missing > 0 || !out.every.holds) && in_turn.back() + 1 == std::ssize(lines)) {
+    const Fit centred = centred_fit(lines, print);
+    const bool few = missing > 0 && missing < no_chance;
+    if (centred.holds && !(few && centred.tied)) out.every = centred;
+  }
   return out;
 }
 
@@ -141,8 +187,14 @@ Fits fits_of(const Lines& lines) {
   return joined.every.holds || joined.holes.holds ? joined : apart;
 }
 
-bool two_grids(const Fits& fits) {
-  return fits.every.holds && fits.holes.holds && fits.every.axis.count != fits.holes.axis.count;
+// Those that hold: both if they are ambiguous.
+Fits decided(Fits fits) {
+  constexpr Index many = 20;
+  const Index missing = fits.holes.axis.count - fits.every.axis.count;
+  if (!fits.every.holds || !fits.holes.holds) return fits;
+  if (missing == 0 || (fits.every.rounded && missing >= no_chance)) fits.holes.holds = false;
+  if (missing == 1 && fits.holes.axis.count >= many) fits.every.holds = false;
+  return fits;
 }
 
 }  // namespace
@@ -150,8 +202,8 @@ bool two_grids(const Fits& fits) {
 std::optional<GridAxis> axis_of(const Column& coordinates) {
   const Lines lines = lines_of(coordinates);
   if (lines.size() == 1) return GridAxis{.first = lines.front()};
-  const Fits fits = fits_of(lines);
-  if (two_grids(fits) || !(fits.every.holds || fits.holes.holds)) return std::nullopt;
+  const Fits fits = decided(fits_of(lines));
+  if (fits.every.holds == fits.holes.holds) return std::nullopt;
   return fits.every.holds ? fits.every.axis : fits.holes.axis;
 }
 
@@ -159,8 +211,8 @@ GridAxis require_axis(const Column& coordinates, char name) {
   if (!coordinates.isFinite().all()) refuse("a coordinate {} is missing or infinite", name);
   const Lines lines = lines_of(coordinates);
   if (lines.size() == 1) return {.first = lines.front()};
-  const Fits fits = fits_of(lines);
-  if (two_grids(fits))
+  const Fits fits = decided(fits_of(lines));
+  if (fits.every.holds && fits.holes.holds)
     refuse("the {} coordinates are ambiguous: they have too few digits to tell {} evenly spaced ones from {}",
            name, fits.every.axis.count, fits.holes.axis.count);
   if (fits.every.holds) return fits.every.axis;

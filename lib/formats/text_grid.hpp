@@ -6,11 +6,17 @@
 /// where ρ is the rounding of a binary number: 8ε of the largest coordinate, or 2^-22 of it if all are
 /// numbers in single precision, as printed. The last digit is the finest among the coordinates, for
 /// numbers with fixed decimals and for those with fixed significant digits alike. (1) must hold within a
-/// quarter of the step.
+/// quarter of the step; or else some first and step must hold for all points of a grid without gaps within
+///     |x_k - first - k·step| <= u_k/2 + ρ ,                                                            (2)
+/// of which those with the most room to spare are taken.
 ///
-/// Grid lines may be missing, up to half of them: the step is then the smallest distance. Coordinates that
-/// fit with and without missing lines, because their digits are too coarse, are ambiguous. Coordinates that
-/// fit no grid are compared again with those joined that differ by one digit.
+/// Grid lines may be missing, up to half of them: the step is then the smallest distance. Digits that are
+/// too coarse, such as 2.5 of them a step, fit a grid with missing lines as well as one without. If eight
+/// or more would be missing, none is: (2) held for 18 of 20 000 random choices of 8 missing ones among 20,
+/// for none of 20 000 among 30 or 60. A single one is missing if there are twenty lines or more: the
+/// spacing then changes by less than a twentieth. What lies between is ambiguous, unless (2) holds by ties
+/// of rounding alone: then lines are missing. Coordinates that fit no grid are compared again with those
+/// joined that differ by one digit.
 ///
 /// Cost      n log n for n coordinates.
 #pragma once

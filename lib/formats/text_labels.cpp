@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 
 #include "core/error.hpp"
+#include "dataset/units.hpp"
 #include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 
@@ -139,6 +141,12 @@ bool is_length(std::string_view unit) try {
   metres_per(unit);
   return true;
 } catch (const DataError&) {
+  return false;
+}
+
+bool is_unit(std::string_view unit) try {
+  return !unit.empty() && is_alpha(unit.front()) && unit_factor(std::string(unit), std::string(unit)) > 0;
+} catch (const std::invalid_argument&) {
   return false;
 }
 

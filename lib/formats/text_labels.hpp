@@ -34,5 +34,7 @@ std::string unit_in_head(const Table& table);
 /// Whether two units are the same length.
 bool same_length(const std::string& a, const std::string& b);
 bool is_length(std::string_view unit);
+/// Whether UDUNITS knows a unit, of any quantity; not so of numbers.
+bool is_unit(std::string_view unit);
 
 }  // namespace asperity

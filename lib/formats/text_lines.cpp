@@ -7,40 +7,10 @@
 #include <utility>
 
 #include "formats/refuse.hpp"
+#include "formats/text_blocks.hpp"
 
 namespace asperity {
 namespace {
-
-constexpr std::string_view blanks = " \t\r\f\v";
-
-// The end of a quoted cell: behind its second quote, a doubled one is part of it.
-std::size_t end_of_quotes(std::string_view line) {
-  std::size_t at = line.find('"', 1);
-  while (at != line.npos && at + 1 < line.size() && line[at + 1] == '"') at = line.find('"', at + 2);
-  return at == line.npos ? line.size() : at + 1;
-}
-
-// The next cell, removed from the line; after the last cell the line is null.
-std::string_view take_cell(std::string_view& line, Separator separator, bool quotes) {
-  const bool word = separator == Separator::blank;
-  std::size_t from = 0;
-  if (quotes) {
-    const std::size_t first = line.find_first_not_of(separator == Separator::tab ? " " : blanks);
-    if (first != line.npos && line[first] == '"') from = first + end_of_quotes(line.substr(first));
-  }
-  const std::size_t end = word ? line.find_first_of(blanks, from) : line.find(character_of(separator), from);
-  std::string_view cell = trimmed(line.substr(0, end));
-  line = end == line.npos ? std::string_view() : line.substr(end + 1);
-  if (word && line.data() != nullptr)
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-  if (from > 0 && cell.size() > 1 && cell.ends_with('"')) cell = trimmed(cell.substr(1, cell.size() - 2));
-  return cell;
-}
-
-// The part of a line with cells.
-std::string_view content_of(std::string_view line, Separator separator) {
-  return separator == Separator::tab && line.find('\t') != line.npos ? line : trimmed(line);
-}
 
 std::string fault_of(std::string_view cell, bool map) {
   const std::string what = quoted(cell) + " is not a number";
@@ -51,6 +21,8 @@ std::string fault_of(std::string_view cell, bool map) {
   return what + ": begin lines of words with #" +
          (map ? ", or tell asperity-convert if it means a missing point (`missing`)" : "");
 }
+
+constexpr std::size_t longest_grouped = 64;  // of a number with blanks between thousands, in bytes
 
 class TableReader {
  public:
@@ -65,14 +37,12 @@ class TableReader {
     for (; !rest_.empty() && !table_.fault; ++line_) {
       const std::string_view line = take_line(rest_), words = trimmed(line);
       const Separator separator = table_.dialect.separator;
-      apart_ |= words.empty();
-      if (words.empty()) continue;
-      if (!is_comment(words, separator, asked_.missing))
+      if (words.empty())
+        blocks_.empty_line();
+      else if (!is_comment(words, separator, asked_.missing))
         add(content_of(line, separator));
-      else if (begins_)
-        keep(words);
       else
-        check_comment(content_of(line, separator), words);
+        add_comment(content_of(line, separator), words);
     }
     if (!table_.fault) finish();
     if (!decimal_) table_.mixed = mixed_;
@@ -109,6 +79,11 @@ class TableReader {
       fail(line.data(), fmt::format("more than {} lines of words", most_head_lines));
   }
 
+  void add_comment(std::string_view line, std::string_view words) {
+    blocks_.comment(words, begins_);
+    begins_ ? keep(words) : check_comment(line, words);
+  }
+
   // A cell that begins like a comment among numbers in all other columns may be a number that failed. What is
   // a number behind the mark was taken out on purpose.
   void check_comment(std::string_view line, std::string_view words) {
@@ -141,7 +116,7 @@ class TableReader {
     table_.lines = 0;
     table_.first_line = 0;
     trailing_ = true;
-    table_.holes = number_ = false;
+    table_.holes = table_.spaced = number_ = false;
     keep(line);
     ++table_.head_lines;
   }
@@ -164,13 +139,8 @@ class TableReader {
       table_.first_line = line_;
       table_.begins = line.data();
     }
-    if (!begins_ && std::exchange(apart_, false)) {
-      if (table_.next_block == 0) table_.next_block = line_;
-    } else {
-      several_ |= !begins_;
-    }
+    blocks_.numbers(line_, begins_);
     if (begins_ && number_ && count > 0) {
-      apart_ = false;
       begins_ = false;
       reserve();
     }
@@ -191,7 +161,7 @@ class TableReader {
       table_.holes = true;
       return push(Map::unknown);
     }
-    auto value = number_of(cell, table_.dialect.comma);
+    auto value = number_in(cell);
     if (Mark* mark = mark_of(cell, value)) {
       mark->seen = true;
       value = Map::unknown;
@@ -207,6 +177,17 @@ class TableReader {
       if (asked_.head && !decimal_ && std::isfinite(*value)) compare(cell);
       push(*value);
     }
+  }
+
+  // Between tabs, blanks may stand between thousands.
+  std::optional<double> number_in(std::string_view cell) {
+    const auto out = number_of(cell, table_.dialect.comma);
+    if (out || table_.dialect.separator != Separator::tab || cell.find(' ') == cell.npos) return out;
+    std::string marked(cell.substr(0, longest_grouped));
+    std::ranges::replace(marked, ' ', '\'');
+    const auto grouped = cell.size() > marked.size() ? std::nullopt : number_of(marked, table_.dialect.comma);
+    table_.spaced |= grouped.has_value();
+    return grouped;
   }
 
   Mark* mark_of(std::string_view cell, const std::optional<double>& value) {
@@ -260,7 +241,8 @@ class TableReader {
                                             counted(static_cast<Index>(numbers), "number"), asked_.shape->nx,
                                             asked_.shape->ny));
     if (trailing_ && !asked_.shape && table_.columns > 1) remove_last_column();
-    if (!several_) table_.next_block = 0;  // an empty line between all
+    table_.next_block = blocks_.second();
+    table_.parted_by = blocks_.parted_by();
   }
 
   void remove_last_column() {
@@ -282,45 +264,11 @@ class TableReader {
   std::vector<std::array<bool, 2>> seen_{};  // of each column: numbers without a point, and with one
   std::string mixed_;                        // as Table::mixed
   bool decimal_ = false;                     // points are decimal marks
-  bool apart_ = false;                       // the last line was empty
-  bool several_ = false;                     // two lines of numbers had none between them
-  std::size_t line_, most_;                  // most_: numbers
+  Blocks blocks_{};
+  std::size_t line_, most_;  // most_: numbers
 };
 
 }  // namespace
-
-char character_of(Separator separator) {
-  return separator == Separator::tab ? '\t' : separator == Separator::comma ? ',' : ';';
-}
-
-bool is_comment(std::string_view line, Separator separator, const std::vector<std::string>& missing) {
-  const bool semicolon = line.starts_with(';') && separator != Separator::semicolon;
-  if (!line.starts_with('#') && !line.starts_with('%') && !semicolon) return false;
-  std::string_view rest = line;
-  const std::string_view first = take_cell(rest, separator, false);
-  const bool blank = separator == Separator::blank;
-  if (std::ranges::find(missing, first) != missing.end() && (first.size() > 1 || !blank)) return false;
-  const auto is_number = [](std::string_view cell) {
-    return number_of(cell) || number_of(cell, Comma::decimal_and_points);
-  };
-  if (first == "%") return blank || rest.data() == nullptr || !is_number(take_cell(rest, separator, false));
-  if (!number_of(first)) return true;
-  if (first.find_first_not_of('#') != first.npos) return false;
-  bool number = false;
-  for (; rest.data() != nullptr;) {
-    const std::string_view cell = take_cell(rest, separator, false);
-    if (!cell.empty() && !is_number(cell)) return true;
-    number |= !cell.empty() && cell.front() != '#';
-  }
-  return !number;
-}
-
-std::vector<std::string_view> cells_of(std::string_view line, Separator separator, bool quotes) {
-  std::vector<std::string_view> out;
-  for (std::string_view rest = line; rest.data() != nullptr;)
-    out.push_back(take_cell(rest, separator, quotes));
-  return out;
-}
 
 Table read_table(std::string_view text, Dialect dialect, const Asked& asked) {
   return TableReader(text, dialect, asked).read();

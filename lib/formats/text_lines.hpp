@@ -1,10 +1,10 @@
 /// The lines of a text, read in one way: with one separator and one meaning of commas.
 ///
-/// A line has cells. A cell that begins with a double quote ends at the next one, and separators in it
-/// separate nothing. Where words may stand above the numbers (Asked::head), the numbers begin with the first
-/// line in which every cell is a number or empty and at least one is a number; from there on, a cell that is
-/// neither is a fault. The lines above are kept, comments too. Among the numbers, a comment with a number in
-/// every other column is a fault, unless its first cell is a number behind the mark.
+/// A line has cells (formats/text_cells.hpp). Where words may stand above the numbers (Asked::head), the
+/// numbers begin with the first line in which every cell is a number or empty and at least one is a number;
+/// from there on, a cell that is neither is a fault. The lines above are kept, comments too. Among the
+/// numbers, a comment with a number in every other column is a fault, unless its first cell is a number
+/// behind the mark.
 ///
 /// Cost      one pass; memory for one double per number.
 #pragma once
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "formats/map.hpp"
+#include "formats/text_cells.hpp"
 #include "formats/text_numbers.hpp"
 
 namespace asperity {
@@ -56,7 +57,9 @@ struct Table {
   bool proved = false;                   ///< a number shows marks between thousands: "1.234,5"
   bool contradicted = false;             ///< a number has none where they would stand: "1512.5"
   std::string mixed = {};                ///< "1.234" in a column with "481": a decimal mark, or thousands
-  std::size_t next_block = 0;            ///< line of the numbers below an empty line, if more follow
+  bool spaced = false;                   ///< a blank between tabs stands between thousands: "1 234,5"
+  std::size_t next_block = 0;            ///< line of the numbers of a second block (formats/text_blocks.hpp)
+  std::string parted_by = {};            ///< what stands above it
   std::vector<std::string> unseen = {};  ///< words of missing points that no cell has
   std::vector<HeadLine> head = {};       ///< all of them
   std::size_t head_lines = 0;            ///< all of them, without comments
@@ -70,12 +73,5 @@ struct Table {
 inline constexpr std::size_t most_head_lines = 65536;
 
 Table read_table(std::string_view text, Dialect dialect, const Asked& asked);
-
-/// The cells of a line, without blanks and quotes around them.
-std::vector<std::string_view> cells_of(std::string_view line, Separator separator, bool quotes);
-/// Whether a line is a comment: it begins with # or %, or with ; if it is not the separator. Not so where its
-/// first cell is a missing point, of three or more # only beside a number, or % alone before a number.
-bool is_comment(std::string_view line, Separator separator, const std::vector<std::string>& missing = {});
-char character_of(Separator separator);
 
 }  // namespace asperity

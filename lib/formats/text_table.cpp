@@ -66,7 +66,7 @@ bool same(const Table& a, const Table& b) {
 bool tabs_decide(const Table& a, const Table& b) {
   const bool tabs = a.dialect.separator == Separator::tab && b.dialect.separator == Separator::blank &&
                     a.dialect.comma == b.dialect.comma;
-  if (!tabs || static_cast<Index>(a.values.size()) != a.lines * a.columns) return false;
+  if (!tabs || a.spaced || static_cast<Index>(a.values.size()) != a.lines * a.columns) return false;
   return !lines_of(a).isNaN().colwise().all().any();
 }
 
@@ -170,6 +170,7 @@ void check_commas(const Table& found, std::string_view text, const Asked& asked,
 
 Table table_of(std::string_view text, Asked asked, const Reading& reading) {
   if (is_utf16(text)) throw DataError(asked.variable, "the text is in UTF-16: save it as UTF-8");
+  refuse_without_mark(text, asked.variable);
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   const Characters characters(text);
   asked.quotes = characters.quotes;

@@ -9,7 +9,8 @@
 /// thousands are accepted only if nothing else fits ("1,234.5 2,000"), points only beside a decimal comma.
 /// Unless the decimal mark is told, some number must have both, or two of them ("1.234,5", "1,234,567"), and
 /// none may lack them ("1512.523"). Where tabs and blanks both fit, tabs end cells,
-/// unless that leaves a column empty.
+/// unless that leaves a column empty. Blanks between tabs may
+/// stand between thousands ("1 234,5"), if the text cannot be read with blanks as separators too.
 ///
 /// An empty cell is a missing point. If every line ends with a separator, there is no cell after it. Lines
 /// that are empty or begin with # or %, or with ; if it is not the separator, are ignored, except

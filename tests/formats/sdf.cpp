@@ -84,10 +84,13 @@ TEST_CASE("a binary SDF has four bytes for each size in ISO-2.0, and Olympus eig
   CHECK(numbers_of("ISO-1.0", 2, 4, "\3\4*trailer") == std::vector{3.0, 4.0});
 }
 
-TEST_CASE("an SDF of a single line has no spacing along y", "[formats][exact]") {
-  const Map map = format::sdf.decode(binary("ISO-1.0", 2, 4, "\3\4"), Order::xy);
-  CHECK(map.spacing[0] == 0.5);
-  CHECK(std::isnan(map.spacing[1]));
+TEST_CASE("an SDF of a single line has the spacing along y that it gives, or none", "[formats][exact]") {
+  std::string bytes = binary("ISO-1.0", 2, 4, "\3\4");
+  CHECK(format::sdf.decode(bytes, Order::xy).spacing[0] == 0.5);
+  CHECK(format::sdf.decode(bytes, Order::xy).spacing[1] > 0);
+  constexpr std::size_t y_scale = 8 + 10 + 12 + 12 + 2 + 2 + 8;
+  bytes.replace(y_scale, 8, 8, '\0');
+  CHECK(std::isnan(format::sdf.decode(bytes, Order::xy).spacing[1]));
 }
 
 TEST_CASE("an SDF in text is read with its scale, BAD points, comments, and names in any order and case",

@@ -240,7 +240,7 @@ TEST_CASE("what cannot be converted is refused with a line that names it", "[con
       {"numbers.txt --from gsf", {4, "asperity-convert: "}},
       {"numbers.txt --from word", {2, "asperity-convert: --from: "}},
       {"numbers.txt --to word", {2, "asperity-convert: --to: "}},
-      {"numbers.txt --unit nm", {2, "asperity-convert: --unit: the file gives its own unit, m"}},
+      {"numbers.txt --unit nm", {2, "asperity-convert: --unit: the file gives its own unit, um"}},
       {"matrix.txt --size 0mm", {2, "asperity-convert: --size 0mm: 0 is not a positive length"}},
   };
   for (const auto& [arguments, expected] : cases) {

@@ -62,6 +62,7 @@ Reading MapOptions::reading(std::string_view bytes, std::string_view format) con
   out.columns = columns_;
   out.missing = missing_;
   out.unit_told = !unit_.empty();
+  out.size_told = !std::isnan(size_[0]);
   return out;
 }
 
@@ -70,7 +71,9 @@ bool MapOptions::changes() const { return !std::isnan(size_[0]) || !unit_.empty(
 Map MapOptions::applied(Map map) const {
   if (!unit_.empty()) {
     if (!map.units.empty())
-      throw UsageError("unit", "the file gives its own unit, " + one_line(map.units, 24) + ": omit it");
+      throw UsageError("unit", "the file gives its own unit, " +
+                                   one_line(map.file_units.empty() ? map.units : map.file_units, 24) +
+                                   ": omit it");
     set_units(map, unit_);
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
