@@ -54,16 +54,17 @@ std::vector<std::string> targets() {
   return out;
 }
 
-Dataset decoded(const cli::Tool& tool, std::string_view bytes) {
-  Dataset data = decode_netcdf(bytes, tool.memory_bound(bytes.size()));
+Dataset opened(const cli::Tool& tool, cli::Bytes bytes) {
+  const MemoryBound left = tool.memory_bound(bytes.size());
+  Dataset data = open_netcdf(std::move(bytes), left);
   tool.settle(data);
   return data;
 }
 
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
-             std::string_view bytes) {
+             cli::Bytes bytes) {
   return options.map.applied(format.netcdf(bytes)
-                                 ? map_of(decoded(tool, bytes), options.variable)
+                                 ? map_of(opened(tool, std::move(bytes)), options.variable)
                                  : format.map(bytes, tool.input_name(), tool.memory_bound()));
 }
 
@@ -85,11 +86,11 @@ bool names_another(const cli::Tool& tool, const Dataset& data, const std::string
 Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
                      std::optional<cli::Bytes> bytes) {
   if (!format.netcdf(*bytes)) {
-    Dataset out = dataset_of(map_from(tool, format, options, *bytes));
+    Dataset out = dataset_of(map_from(tool, format, options, std::move(*bytes)));
     for (const std::string& line : std::exchange(out.notes, {})) tool.note(line);
     return out;
   }
-  Dataset data = decoded(tool, *bytes);
+  Dataset data = opened(tool, std::move(*bytes));
   bytes.reset();
   if (options.map.changes() || names_another(tool, data, options.variable))
     cli::replace_surface(tool, data, options.map.applied(map_of(data, options.variable)));
@@ -116,7 +117,7 @@ std::string encoded(const cli::Tool& tool, const cli::InputFormat& format, const
     }
   if (options.surface)
     throw cli::UsageError("surface", "needs --to netcdf, vti or vtr: " + target + " holds one map only");
-  const Map map = map_from(tool, format, options, *bytes);
+  const Map map = map_from(tool, format, options, std::move(*bytes));
   std::string out = format_named(target, "to").encode(map, options.to_order == "yx" ? Order::yx : Order::xy);
   for (const std::string& line : notes_of(map)) tool.note(line);
   note_periodic(tool, target, map.periodic.any());

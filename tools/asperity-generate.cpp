@@ -1,6 +1,7 @@
 /// Draws random rough surfaces with a prescribed autocorrelation.
 #include <utility>
 
+#include "dataset/unread.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/surface/drawing.hpp"
 #include "tools/surface/surface_kernel.hpp"
@@ -13,7 +14,7 @@ namespace {
 //        datasets.
 std::size_t standing(const Dataset& base, int surfaces) {
   std::size_t values = 0;
-  for (const Variable& v : base.variables) values += count(v.values);
+  for (const Variable& v : base.variables) values += count(v);
   return (surfaces > 1 ? 2 : 1) * values * sizeof(double);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <sys/mman.h>
+#include <vector>
 
 namespace asperity {
 
@@ -13,6 +14,16 @@ inline void prefer_large_pages(void* memory, std::size_t bytes) {
   const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
   if (bytes < before + page) return;
   ::madvise(static_cast<char*>(memory) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
+}
+
+/// A list of n zeros in such pages.
+template <class Element>
+std::vector<Element> large_list(std::size_t n) {
+  std::vector<Element> out;
+  out.reserve(n);
+  prefer_large_pages(out.data(), n * sizeof(Element));
+  out.resize(n);
+  return out;
 }
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
+#include "dataset/unread.hpp"
 
 namespace asperity {
 namespace {
@@ -38,6 +39,7 @@ void swap_last_two(const Dataset& dataset, Variable& variable) {
   auto& fast = variable.dimensions.back();
   const Index rows = dataset.length(slow), columns = dataset.length(fast), cells = rows * columns;
   std::swap(slow, fast);
+  load(variable);
   std::visit(
       [&](auto& values) {
         std::decay_t<decltype(values)> out(values.size(), {});
@@ -67,6 +69,7 @@ void reverse_along(Dataset& dataset, std::string_view dimension) {
     for (std::size_t d = variable.dimensions.size(); d-- > 0;
          piece *= dataset.length(variable.dimensions[d])) {
       if (variable.dimensions[d] != dimension) continue;
+      load(variable);
       std::visit(
           [&](auto& values) {
             const Index slab = points * piece;

@@ -1,24 +1,22 @@
 #include "dataset/classic_head.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstring>
+#include <span>
+#include <vector>
 
 #include "core/error.hpp"
+#include "dataset/big_endian.hpp"
 #include "dataset/bytes.hpp"
+#include "dataset/classic_types.hpp"
 
 namespace asperity {
 namespace {
 
-enum Tag : std::uint32_t { absent = 0, dimensions = 10, variables = 11, attributes = 12 };
+using namespace classic;
 
 [[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
-
-// NC_MAX_NAME and NC_MAX_VAR_DIMS: sizes of libnetcdf's buffers, which it overruns.
-constexpr std::uint64_t longest_name = 256, highest_rank = 1024;
-// NC_MAX_VARS and NC_MAX_ATTRS: libnetcdf compares each name with all before it.
-constexpr std::uint64_t longest_list = 8192;
-
-std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
+[[noreturn]] void refuse_damaged(const std::string& what = "") { refuse("the header is damaged" + what); }
 
 // Reads bytes in order, and never beyond their end.
 class Reader {
@@ -31,7 +29,6 @@ class Reader {
 
   std::size_t size() const { return bytes_.size(); }
   std::size_t place() const { return place_; }
-  std::size_t count_width() const { return count_width_; }
   /// The number of records in a file written as a stream.
   std::uint64_t greatest_count() const { return ~std::uint64_t{0} >> (64 - 8 * count_width_); }
 
@@ -39,29 +36,28 @@ class Reader {
   std::uint32_t word() { return static_cast<std::uint32_t>(number(4)); }
   std::uint64_t offset() { return number(offset_width_); }
   /// n things of `size` bytes, padded to four.
-  void skip_padded(std::uint64_t n, std::uint64_t size) {
+  std::string_view padded_bytes(std::uint64_t n, std::uint64_t size) {
     if (n > left() / size) refuse_cut_short();
+    const std::string_view out = bytes_.substr(place_, n * size);
     skip(padded(n * size));
+    return out;
   }
-  void skip_name() {
+  std::string name() {
     const std::uint64_t length = count();
     if (length > longest_name)
       refuse("the header has a name of " + std::to_string(length) + " bytes, more than " +
              std::to_string(longest_name));
-    skip_padded(length, 1);
+    return std::string(padded_bytes(length, 1));
   }
   /// The number of elements of a list, each of which has at least `least` words.
   std::uint64_t list(Tag tag, std::uint64_t least) {
     const std::uint32_t found = word();
     const std::uint64_t n = count();
-    if (found != tag && (found != absent || n != 0)) refuse("the header is damaged");
+    if (found != tag && (found != absent || n != 0)) refuse_damaged();
     if (n > left() / (4 * least)) refuse_cut_short();
     if (n > longest_list)
-      refuse("the header has " + std::to_string(n) +
-             (tag == dimensions  ? " dimensions"
-              : tag == variables ? " variables"
-                                 : " attributes") +
-             ", more than " + std::to_string(longest_list));
+      refuse("the header has " + std::to_string(n) + kind_of(tag) + ", more than " +
+             std::to_string(longest_list));
     return n;
   }
 
@@ -70,8 +66,9 @@ class Reader {
     if (a != 0 && b > size() / a) refuse_cut_short();
     return a * b;
   }
-  std::uint64_t end_of(std::uint64_t first, std::uint64_t bytes) const {
-    if (first > size() || bytes > size() - first) refuse_cut_short();
+  std::uint64_t end_of(std::uint64_t first, std::uint64_t bytes, const std::string& variable) const {
+    if (first > size() || bytes > size() - first)
+      refuse("the file is cut short: " + variable + " ends beyond its " + std::to_string(size()) + " bytes");
     return first + bytes;
   }
 
@@ -96,44 +93,54 @@ class Reader {
   std::size_t place_ = 0, count_width_ = 4, offset_width_ = 8;
 };
 
-// The bytes of a number of an external type, NC_BYTE = 1 to NC_UINT64 = 11.
-std::uint64_t size_of_type(std::uint32_t type) {
-  constexpr std::array<std::uint64_t, 12> sizes{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
-  if (type == 0 || type >= sizes.size())
+// An empty list of the numbers of an external type.
+template <std::size_t alternative = 0>
+Values list_of(std::uint32_t type) {
+  if constexpr (alternative == std::variant_size_v<Values>)
     refuse("number type " + std::to_string(type) + " in the header is not supported");
-  return sizes[type];
+  else if (type == types[alternative])
+    return std::variant_alternative_t<alternative, Values>();
+  else
+    return list_of<alternative + 1>(type);
 }
 
-void check_attributes(Reader& reader) {
+std::size_t element_size(const Values& list) {
+  return std::visit([]<class List>(const List&) { return sizeof(typename List::value_type); }, list);
+}
+
+Values take_values(Reader& reader) {
+  Values out = list_of(reader.word());
+  const std::uint64_t n = reader.count();
+  const std::string_view bytes = reader.padded_bytes(n, element_size(out));
+  std::visit(
+      [&](auto& list) {
+        list.resize(n);
+        if (n > 0) std::memcpy(list.data(), bytes.data(), bytes.size());
+        swap_bytes(std::span(list.data(), list.size()));
+      },
+      out);
+  return out;
+}
+
+Attributes take_attributes(Reader& reader) {
+  Attributes out;
   for (std::uint64_t n = reader.list(attributes, 3); n > 0; --n) {
-    reader.skip_name();
-    const std::uint64_t size = size_of_type(reader.word());
-    reader.skip_padded(reader.count(), size);
+    const std::string name = reader.name();
+    out.set_values(name, take_values(reader));
   }
+  return out;
 }
 
-// The position of a variable's values (of one record, if it has records), and of that entry in the header.
-struct Extent {
-  std::uint64_t begin = 0, bytes = 0;
-  bool records = false;
-  std::size_t told = 0;
-};
-
-// The length of a dimension, 0 for records, and the position of that entry in the header.
-struct Length {
-  std::uint64_t points = 0;
-  std::size_t told = 0;
-};
-
+// A variable, and where its values are: those of one record, if it has records.
 struct Head {
-  std::uint64_t records = 0;
-  std::vector<Length> lengths;
-  std::vector<Extent> extents;  // of the variables
+  Variable variable;
+  Unread place;
+  bool records = false;
 };
 
-Extent take_variable(Reader& reader, const std::vector<Length>& lengths) {
-  Extent out;
-  reader.skip_name();
+Head take_variable(Reader& reader, const std::vector<Dimension>& lengths) {
+  Head out;
+  out.variable.name = reader.name();
   std::uint64_t cells = 1;
   const std::uint64_t rank = reader.count();
   if (rank > highest_rank)
@@ -141,84 +148,101 @@ Extent take_variable(Reader& reader, const std::vector<Length>& lengths) {
            std::to_string(highest_rank));
   for (std::uint64_t d = 0; d < rank; ++d) {
     const std::uint64_t id = reader.count();
-    if (id >= lengths.size()) refuse("the header is damaged: a variable has an unknown dimension");
-    if (d == 0 && lengths[id].points == 0)
+    if (id >= lengths.size()) refuse_damaged(": a variable has an unknown dimension");
+    out.variable.dimensions.push_back(lengths[id].name);
+    if (lengths[id].length > 0)
+      cells = reader.product(cells, static_cast<std::uint64_t>(lengths[id].length));
+    else if (d == 0)
       out.records = true;
     else
-      cells = reader.product(cells, lengths[id].points);
+      refuse_damaged(": " + out.variable.name + " has records, but not along its first dimension");
   }
-  check_attributes(reader);
-  out.bytes = reader.product(cells, size_of_type(reader.word()));
+  out.variable.attributes = take_attributes(reader);
+  out.variable.values = list_of(reader.word());
+  out.place.slab = reader.product(cells, element_size(out.variable.values));
+  out.place.count = cells;
   reader.count();
-  out.told = reader.place();
-  out.begin = reader.offset();
+  out.place.begin = reader.offset();
   return out;
 }
 
-Head take_head(Reader& reader) {
-  Head out;
-  out.records = reader.count();
-  for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
-    reader.skip_name();
-    const std::size_t told = reader.place();
-    out.lengths.push_back({reader.count(), told});
-  }
-  check_attributes(reader);
-  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n)
-    out.extents.push_back(take_variable(reader, out.lengths));
-  return out;
-}
-
-// The end of all values. Each record holds all variables with records, padded if there are several. An
-// unknown number of records reaches to the end of the file.
-std::uint64_t end_of_values(const Reader& reader, const Head& head) {
-  std::uint64_t end = 0, record = 0, last = 0, in_records = 0;
-  for (const Extent& e : head.extents)
-    if (e.records) {
-      record += padded(last = e.bytes);
+// The bytes of a record, in which all variables with records are, padded if there are several.
+std::uint64_t bytes_of_record(const std::vector<Head>& heads) {
+  std::uint64_t all = 0, last = 0, in_records = 0;
+  for (const Head& h : heads)
+    if (h.records) {
+      all += padded(last = h.place.slab);
       ++in_records;
-    } else {
-      end = std::max(end, reader.end_of(e.begin, e.bytes));
     }
-  if (head.records == 0 || in_records == 0) return end;
-  if (head.records == reader.greatest_count()) return reader.size();
-  const std::uint64_t before = reader.product(head.records - 1, in_records == 1 ? last : record);
-  for (const Extent& e : head.extents)
-    if (e.records) end = std::max(end, reader.end_of(e.begin, before + e.bytes));
+  return in_records == 1 ? last : all;
+}
+
+// Of a file written as a stream, which does not tell their number: to its end.
+std::uint64_t records_to_end(const Reader& reader, const std::vector<Head>& heads, std::uint64_t record) {
+  std::uint64_t first = reader.size();
+  for (const Head& h : heads)
+    if (h.records) first = std::min(first, h.place.begin);
+  return record > 0 ? (reader.size() - first) / record : 0;
+}
+
+// Sets where all records are; returns the end of all values.
+std::uint64_t settle(const Reader& reader, std::vector<Head>& heads, std::uint64_t records,
+                     std::uint64_t record) {
+  std::uint64_t end = 0;
+  for (Head& h : heads) {
+    const std::uint64_t slabs = h.records ? records : 1;
+    h.place.stride = h.records ? record : h.place.slab;
+    h.place.count *= slabs;
+    if (slabs == 0) continue;
+    const std::uint64_t before = reader.product(slabs - 1, h.place.stride);
+    end = std::max(end, reader.end_of(h.place.begin, before + h.place.slab, h.variable.name));
+  }
   return end;
 }
 
-void put(std::string& file, std::size_t at, std::uint64_t number, std::size_t width) {
-  for (std::size_t i = width; i > 0; --i, number >>= 8) file[at + i - 1] = static_cast<char>(number & 0xff);
+// A classic file stores its values uncompressed: variables that share bytes must not cause allocation.
+void refuse_shared_bytes(const Reader& reader, const std::vector<Head>& heads) {
+  std::size_t left = reader.size();
+  for (const Head& h : heads) {
+    const std::size_t bytes = h.place.count * element_size(h.variable.values);
+    if (bytes > left)
+      refuse("the file is cut short: " + h.variable.name + " ends beyond its " +
+             std::to_string(reader.size()) + " bytes");
+    left -= bytes;
+  }
 }
 
 }  // namespace
 
-void check_classic_head(std::string_view bytes) {
+Dataset read_classic_head(std::string_view bytes, const std::shared_ptr<const Source>& source) {
   Reader reader(bytes);
-  const std::uint64_t values = end_of_values(reader, take_head(reader));
-  refuse_rest(bytes.substr(std::min(padded(std::max(values, reader.place())), bytes.size())), "dataset");
-}
-
-std::string resized_head(std::string file, const std::vector<std::uint64_t>& lengths,
-                         const std::vector<std::uint64_t>& bytes) {
-  Reader reader(file);
-  const Head small = take_head(reader);
-  const std::size_t width = reader.count_width();
-  for (std::size_t d = 0; d < small.lengths.size(); ++d)
-    put(file, small.lengths[d].told, lengths.at(d), width);
-  std::uint64_t begin = reader.place();
-  file.resize(begin);
-  for (const bool records : {false, true})
-    for (std::size_t v = 0; v < small.extents.size(); ++v) {
-      const Extent& e = small.extents[v];
-      if (e.records != records) continue;
-      const std::uint64_t size = padded(bytes.at(v));
-      put(file, e.told - width, std::min(size, reader.greatest_count()), width);
-      put(file, e.told, begin, 8);
-      begin += size;
-    }
-  return file;
+  Dataset out;
+  std::uint64_t records = reader.count();
+  const bool streamed = records == reader.greatest_count();
+  for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
+    std::string name = reader.name();
+    const std::uint64_t length = reader.count();
+    if (length > static_cast<std::uint64_t>(std::numeric_limits<Index>::max())) refuse_damaged();
+    out.dimensions.push_back({std::move(name), static_cast<Index>(length)});
+  }
+  out.attributes = take_attributes(reader);
+  std::vector<Head> heads;
+  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n)
+    heads.push_back(take_variable(reader, out.dimensions));
+  const std::uint64_t record = bytes_of_record(heads);
+  if (streamed) records = records_to_end(reader, heads, record);
+  std::uint64_t end = std::max<std::uint64_t>(settle(reader, heads, records, record), reader.place());
+  if (streamed && record > 0) end = reader.size();
+  refuse_shared_bytes(reader, heads);
+  refuse_rest(bytes.substr(std::min(padded(end), bytes.size())), "dataset");
+  for (Dimension& d : out.dimensions)
+    if (d.length == 0) d.length = static_cast<Index>(std::min<std::uint64_t>(records, reader.size()));
+  for (Head& h : heads) {
+    h.place.source = source;
+    h.variable.unread = std::make_shared<const Unread>(std::move(h.place));
+    out.variables.push_back(std::move(h.variable));
+  }
+  return out;
 }
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
+#include "dataset/unread.hpp"
 
 namespace asperity {
 namespace {
@@ -120,7 +121,8 @@ double mark_of(const Variable& variable) {
 }
 
 std::vector<double> present_numbers(const Variable& variable) {
-  std::vector<double> out = numbers(variable.values);
+  std::vector<double> out =
+      numbers(variable.unread ? values_of(variable, 0, count(variable)) : variable.values);
   std::ranges::replace(out, mark_of(variable), none);
   return out;
 }
@@ -252,7 +254,10 @@ Variable Conventions::unpacked(Variable packed) const {
 
 Dataset with_plain_values(Dataset dataset) {
   for (Variable& variable : dataset.variables)
-    if (const Conventions says(variable); !says.plain()) variable = says.unpacked(std::move(variable));
+    if (const Conventions says(variable); !says.plain()) {
+      load(variable);
+      variable = says.unpacked(std::move(variable));
+    }
   return dataset;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "dataset/catalogue.hpp"
+#include "dataset/unread.hpp"
 
 namespace asperity {
 namespace {
@@ -96,7 +97,7 @@ void Dataset::erase(std::string_view variable) {
 
 std::size_t Dataset::size_in_memory() const {
   std::size_t out = 0;
-  for (const Variable& v : variables) out += asperity::size_in_memory(v.values);
+  for (const Variable& v : variables) out += asperity::size_in_memory(v);
   return out;
 }
 

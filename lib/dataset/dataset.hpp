@@ -1,9 +1,11 @@
 /// A dataset in memory: dimensions, variables and attributes in the order of the file.
 ///
-/// It is plain data: unknown variables and attributes pass through unchanged, with their types.
+/// It is plain data: unknown variables and attributes pass through unchanged, with their types. Values may be
+/// left in the file until they are needed (dataset/unread.hpp).
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -53,6 +55,8 @@ class Attributes {
   std::vector<Attribute> list_;
 };
 
+struct Unread;
+
 struct Dimension {
   std::string name;
   Index length = 0;
@@ -63,6 +67,8 @@ struct Variable {
   std::vector<std::string> dimensions;
   Values values;
   Attributes attributes;
+  /// Where the values are, if they are still in a file; `values` then has their type, but no elements.
+  std::shared_ptr<const Unread> unread = nullptr;
 };
 
 class Dataset {

@@ -9,10 +9,11 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/large_pages.hpp"
+#include "core/large_field.hpp"
 #include "core/words.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/units.hpp"
+#include "dataset/unread.hpp"
 
 namespace asperity {
 namespace {
@@ -74,29 +75,35 @@ void put_coordinate(Dataset& dataset, Variable axis) {
   dataset.put(std::move(axis));
 }
 
-std::vector<double> flat(const Field& f) { return {f.data(), f.data() + f.size()}; }
+std::vector<double> flat(const Field& f) {
+  auto out = large_list<double>(size(f.size()));
+  std::ranges::copy_n(f.data(), f.size(), out.begin());
+  return out;
+}
 
 // A variable on two dimensions as a field, NaN for its mark.
 Field matrix(const Dataset& dataset, const Variable& variable, double factor) {
   if (std::holds_alternative<std::string>(variable.values))
     throw DataError(variable.name, "contains text instead of numbers");
   const Index rows = dataset.length(variable.dimensions[0]), columns = dataset.length(variable.dimensions[1]);
-  Field out(rows, columns);
-  prefer_large_pages(out.data(), static_cast<std::size_t>(out.size()) * sizeof(double));
+  Field out = large_field({rows, columns});
   const double mark = mark_of(variable);
-  std::visit(
-      [&](const auto& values) {
-        double* to = out.data();
-        for (const auto value : values) {
-          const auto number = static_cast<double>(value);
-          *to++ = number == mark ? std::numeric_limits<double>::quiet_NaN() : number * factor;
-        }
-      },
-      variable.values);
+  double* to = out.data();
+  in_pieces(variable, [&](const Values& piece) {
+    std::visit(
+        [&](const auto& values) {
+          for (const auto value : values) {
+            const auto number = static_cast<double>(value);
+            *to++ = number == mark ? std::numeric_limits<double>::quiet_NaN() : number * factor;
+          }
+        },
+        piece);
+  });
   return out;
 }
 
 void refuse_not_finite(const std::string& name, const Field& values, Missing missing) {
+  if ((0.0 * values).sum() == 0) return;  // all are finite
   auto refused = [&](double value) {
     return missing == Missing::refused ? !std::isfinite(value) : std::isinf(value);
   };
@@ -108,6 +115,12 @@ void refuse_not_finite(const std::string& name, const Field& values, Missing mis
                                     std::isnan(*at) ? "not a number" : "infinite"));
 }
 
+std::ptrdiff_t count_if(const Variable& variable, const std::function<bool(double)>& wanted) {
+  std::ptrdiff_t out = 0;
+  in_pieces(variable, [&](const Values& piece) { out += std::ranges::count_if(numbers(piece), wanted); });
+  return out;
+}
+
 // Marks have become NaN and are counted only if there is a NaN.
 void refuse_missing(const Dataset& dataset, const Variable& variable, const Field& values) {
   const auto refuse = [&](std::ptrdiff_t number, std::string_view how) {
@@ -116,15 +129,14 @@ void refuse_missing(const Dataset& dataset, const Variable& variable, const Fiel
                                                  counted(number, "point"), how));
   };
   if (const Variable* mask = dataset.find("mask"))
-    refuse(std::ranges::count_if(numbers(mask->values), [](double v) { return v != 0; }),
-           "masked as missing");
+    refuse(count_if(*mask, [](double v) { return v != 0; }), "masked as missing");
   if (!values.hasNaN()) return;
   const bool filled = variable.attributes.find("_FillValue"),
              named = variable.attributes.find("missing_value");
-  refuse(std::ranges::count(numbers(variable.values), mark_of(variable)), filled ? "missing (_FillValue)"
-                                                                          : named
-                                                                              ? "missing (missing_value)"
-                                                                              : "missing (never written)");
+  const double mark = mark_of(variable);
+  refuse(count_if(variable, [&](double v) { return v == mark; }), filled  ? "missing (_FillValue)"
+                                                                  : named ? "missing (missing_value)"
+                                                                          : "missing (never written)");
 }
 
 // Sets masked points to NaN.

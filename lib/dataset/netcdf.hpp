@@ -1,7 +1,8 @@
-/// Datasets as NetCDF; no other code calls that library.
+/// Datasets as NetCDF.
 ///
 /// Files are written as CDF-2 (64-bit offset), which every reader opens, or as CDF-5 if a variable other than
-/// the last exceeds 4 GiB or a type needs it. All formats of the installed library are read.
+/// the last exceeds 4 GiB or a type needs it. These classic formats are read and written here, NetCDF-4 is
+/// read by the NetCDF library.
 ///
 /// A NetCDF-4 file is an HDF5 file, and a malicious one can make the HDF5 library hang, crash or use up all
 /// memory. Such files are read in the calling process, unless it sets another way with read_netcdf4_apart, as
@@ -52,26 +53,24 @@ bool looks_like_netcdf(std::string_view bytes);
 /// (dataset/conventions.hpp). Throws DataError ("dataset") when the bytes are not NetCDF, are cut short, hold
 /// more than one dataset or a type unknown to CDF-5, or need more memory than allowed.
 Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory = {});
+/// The same of a file on disk, or of bytes that are kept: values of plain variables on two dimensions or more
+/// stay there, unread (dataset/unread.hpp). The memory must suffice for all of them all the same.
+Dataset open_netcdf(const std::string& path, const MemoryBound& memory = {});
+Dataset open_netcdf(Bytes bytes, const MemoryBound& memory = {});
 
 /// A file on disk with its own order of axes and plain values; variables on both x and y are read in parts. A
-/// NetCDF-4 file read in a separate process is in memory as a whole.
+/// NetCDF-4 file is in memory as a whole.
 class NetcdfFile {
  public:
   /// Reads everything else; throws DataError like decode_netcdf.
   explicit NetcdfFile(const std::string& path, const MemoryBound& memory = {});
-  ~NetcdfFile();
-  NetcdfFile(const NetcdfFile&) = delete;
-  NetcdfFile& operator=(const NetcdfFile&) = delete;
 
   const Dataset& dataset() const { return dataset_; }
   /// The values of a variable at `count` indices of the dimension `along`, starting at `first`.
   Values part(std::string_view variable, std::string_view along, Index first, Index count) const;
 
  private:
-  Bytes classic_;  ///< a NetCDF-4 file in classic format
-  int id_ = -1;
-  Dataset dataset_;
-  std::vector<Conventions> conventions_;  ///< of the variables in the file
+  Dataset in_file_, dataset_;
 };
 
 /// The bytes before the values of the last `deferred` variables, for a dataset too large for memory. These
@@ -85,7 +84,7 @@ void write_netcdf(const Dataset& dataset, const std::function<void(std::string_v
 /// Doubles as in the file, big-endian.
 std::string encode_values(std::span<const double> values);
 
-/// The library's name and version.
+/// The name and version of the library of NetCDF-4.
 std::string netcdf_version();
 
 }  // namespace asperity

@@ -1,46 +1,35 @@
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdlib>
-#include <cstring>
-#include <memory>
-#include <system_error>
+#include <set>
 
-#include <netcdf.h>
-#include <netcdf_mem.h>
-
-#include "dataset/classic_head.hpp"
+#include "core/error.hpp"
+#include "dataset/big_endian.hpp"
+#include "dataset/classic_types.hpp"
 #include "dataset/netcdf.hpp"
-#include "dataset/netcdf_types.hpp"
+#include "dataset/unread.hpp"
 
 namespace asperity {
-
-using namespace netcdf;
-
 namespace {
 
-// A positive status is an error of the system: no space, or a limit.
-void write_checked(int status, const std::string& what) {
-  check_for_want_of_memory(status);
-  if (status > 0) throw std::system_error(status, std::generic_category(), what);
-  check(status, what);
-}
+using namespace classic;
 
-bool needs_cdf5_type(const Values& values) {
-  constexpr nc_type newer[] = {NC_UBYTE, NC_USHORT, NC_UINT, NC_INT64, NC_UINT64};
-  return std::ranges::find(newer, type_of(values)) != std::end(newer);
+std::size_t element_size(const Values& values) {
+  return std::visit([]<class V>(const V&) { return sizeof(typename V::value_type); }, values);
 }
 
 std::size_t places_of(const Dataset& dataset, const Variable& variable) {
   std::size_t places = 1;
-  for (const std::string& name : variable.dimensions)
-    places *= static_cast<std::size_t>(dataset.length(name));
+  for (const std::string& name : variable.dimensions) {
+    const Index length = dataset.length(name);
+    if (length < 0) throw DataError(variable.name, "its dimension " + name + " is unknown");
+    places *= static_cast<std::size_t>(length);
+  }
   return places;
 }
 
 bool needs_cdf5(const Dataset& dataset) {
   auto any = [](const Attributes& attributes) {
-    return std::ranges::any_of(attributes, [](const Attribute& a) { return needs_cdf5_type(a.values); });
+    return std::ranges::any_of(attributes, [](const Attribute& a) { return classic::needs_cdf5(a.values); });
   };
   constexpr std::size_t cdf2_limit = 0xFFFFFFFFu - 3;
   constexpr Index cdf2_length = 0x7FFFFFFF - 3;
@@ -49,82 +38,135 @@ bool needs_cdf5(const Dataset& dataset) {
   for (std::size_t v = 0; v < dataset.variables.size(); ++v) {
     const Variable& variable = dataset.variables[v];
     const bool last = v + 1 == dataset.variables.size();
-    if (needs_cdf5_type(variable.values) || any(variable.attributes)) return true;
+    if (classic::needs_cdf5(variable.values) || any(variable.attributes)) return true;
     if (!last && places_of(dataset, variable) * element_size(variable.values) > cdf2_limit) return true;
   }
   return any(dataset.attributes);
 }
 
-void write_attributes(int file, int variable, const Attributes& attributes) {
-  for (const auto& [name, values] : attributes)
-    write_checked(nc_put_att(file, variable, name.c_str(), type_of(values), count(values), data(values)),
-                  name);
+// As the format defines names: printable, without /, and no blank at the end.
+void check_name(const std::string& name) {
+  const auto byte = [](char c) { return static_cast<unsigned char>(c); };
+  const bool illegal =
+      std::ranges::any_of(name, [&](char c) { return byte(c) < ' ' || c == '/' || c == 127; });
+  const unsigned char first = name.empty() ? 0 : byte(name[0]);
+  if (illegal || !(std::isalnum(first) || first == '_' || first > 127) || name.back() == ' ')
+    throw DataError(name, "is no name that a NetCDF file may have in it");
+  if (name.size() > longest_name)
+    throw DataError("dataset", "a name of " + std::to_string(name.size()) + " bytes is too long");
 }
 
-void define(int file, const Variable& variable) {
-  std::vector<int> dims;
-  for (const std::string& name : variable.dimensions) {
-    dims.emplace_back();
-    write_checked(nc_inq_dimid(file, name.c_str(), &dims.back()), variable.name + ", dimension " + name);
+// A header in the making.
+class Head {
+ public:
+  explicit Head(const Dataset& dataset) : dataset_(dataset), wide_(needs_cdf5(dataset)) {
+    bytes_ = wide_ ? "CDF\005" : "CDF\002";
+    count(0);  // records
+    dimensions_part();
+    attributes_part(dataset.attributes);
+    begin(variables, dataset.variables.size());
+    std::set<std::string_view> names;
+    for (const Variable& v : dataset.variables) {
+      if (!names.insert(v.name).second) throw DataError(v.name, "is twice in the dataset");
+      variable_part(v);
+    }
+    place_values();
   }
-  int id = -1;
-  write_checked(nc_def_var(file, variable.name.c_str(), type_of(variable.values),
-                           static_cast<int>(dims.size()), dims.data(), &id),
-                variable.name);
-  write_attributes(file, id, variable.attributes);
-}
+  std::string bytes() && { return std::move(bytes_); }
 
-// The library would write a file of full size, on disk or in memory. So it writes a small one, with room for
-// one value of each variable, or none if there are no records.
-std::string small_file_of(const Dataset& dataset) {
-  Handle file;
-  const int format = needs_cdf5(dataset) ? NC_64BIT_DATA : NC_64BIT_OFFSET;
-  write_checked(nc_create_mem("dataset", NC_CLOBBER | format, 1 << 16, &file.id), "create");
-  file.open = true;
-  write_checked(nc_set_fill(file.id, NC_NOFILL, nullptr), "fill");
-  for (const Dimension& d : dataset.dimensions) {
-    int id = -1;
-    const std::size_t length = d.length > 0 ? 1 : NC_UNLIMITED;
-    write_checked(nc_def_dim(file.id, d.name.c_str(), length, &id), "dimension " + d.name);
+ private:
+  void word(std::uint32_t number) { append_big_endian(bytes_, std::span<const std::uint32_t>(&number, 1)); }
+  void wide_word(std::uint64_t number) {
+    append_big_endian(bytes_, std::span<const std::uint64_t>(&number, 1));
   }
-  for (const Variable& v : dataset.variables) define(file.id, v);
-  write_attributes(file.id, NC_GLOBAL, dataset.attributes);
-  write_checked(nc_enddef(file.id), "header");
-  file.open = false;
-  NC_memio bytes{};
-  write_checked(nc_close_memio(file.id, &bytes), "close");
-  const std::unique_ptr<void, void (*)(void*)> owned(bytes.memory, &std::free);
-  return {static_cast<const char*>(bytes.memory), bytes.size};
-}
+  void count(std::uint64_t number) { wide_ ? wide_word(number) : word(static_cast<std::uint32_t>(number)); }
+  void pad() { bytes_.resize(padded(bytes_.size())); }
+  void name(const std::string& text) {
+    check_name(text);
+    count(text.size());
+    bytes_ += text;
+    pad();
+  }
+  void begin(Tag tag, std::size_t n) {
+    if (n > longest_list)
+      throw DataError("dataset", "it has " + std::to_string(n) + kind_of(tag) + ", more than " +
+                                     std::to_string(longest_list));
+    word(n > 0 ? tag : absent);
+    count(n);
+  }
 
-std::string header_of(const Dataset& dataset) {
-  std::vector<std::uint64_t> lengths, bytes;
-  for (const Dimension& d : dataset.dimensions) lengths.push_back(static_cast<std::uint64_t>(d.length));
-  for (const Variable& v : dataset.variables) {
-    bytes.push_back(element_size(v.values));
-    for (const std::string& name : v.dimensions)
-      bytes.back() *= static_cast<std::uint64_t>(std::max<Index>(dataset.length(name), 1));
+  void dimensions_part() {
+    begin(dimensions, dataset_.dimensions.size());
+    std::set<std::string_view> names;
+    for (const Dimension& d : dataset_.dimensions) {
+      if (!names.insert(d.name).second) throw DataError(d.name, "is twice among the dimensions");
+      name(d.name);
+      count(static_cast<std::uint64_t>(d.length));
+    }
+    if (std::ranges::count(dataset_.dimensions, 0, &Dimension::length) > 1)
+      throw DataError("dataset", "more than one dimension has the length 0");
   }
-  return resized_head(small_file_of(dataset), lengths, bytes);
-}
+  void attributes_part(const Attributes& list) {
+    begin(attributes, list.size());
+    for (const auto& [key, values] : list) {
+      name(key);
+      word(type_of(values));
+      count(asperity::count(values));
+      std::visit([&](const auto& v) { append_big_endian(bytes_, std::span(v.data(), v.size())); }, values);
+      pad();
+    }
+  }
+  // The bytes of a variable, or of one of its records: there are none as yet.
+  std::uint64_t size_of(const Variable& v) const {
+    std::uint64_t out = element_size(v.values);
+    for (const std::string& d : v.dimensions)
+      out *= static_cast<std::uint64_t>(std::max<Index>(dataset_.length(d), 1));
+    return out;
+  }
+  void variable_part(const Variable& v) {
+    name(v.name);
+    if (v.dimensions.size() > highest_rank) throw DataError(v.name, "has too many dimensions");
+    count(v.dimensions.size());
+    for (const std::string& d : v.dimensions) count(number_of(v, d));
+    attributes_part(v.attributes);
+    word(type_of(v.values));
+    count(std::min(padded(size_of(v)), ~std::uint64_t{0} >> (wide_ ? 0 : 32)));
+    begins_.push_back(bytes_.size());
+    wide_word(0);
+  }
+  std::uint64_t number_of(const Variable& variable, const std::string& dimension) const {
+    const auto at = std::ranges::find(dataset_.dimensions, dimension, &Dimension::name);
+    if (at == dataset_.dimensions.end())
+      throw DataError(variable.name, "its dimension " + dimension + " is unknown");
+    return static_cast<std::uint64_t>(at - dataset_.dimensions.begin());
+  }
+  // In order, those with records last.
+  void place_values() {
+    std::uint64_t at = bytes_.size();
+    for (const bool records : {false, true})
+      for (std::size_t v = 0; v < begins_.size(); ++v) {
+        const Variable& variable = dataset_.variables[v];
+        const bool grows = !variable.dimensions.empty() && dataset_.length(variable.dimensions[0]) == 0;
+        if (grows != records) continue;
+        std::string place;
+        append_big_endian(place, std::span<const std::uint64_t>(&at, 1));
+        bytes_.replace(begins_[v], place.size(), place);
+        at += padded(size_of(variable));
+      }
+  }
 
-template <class Element>
-void append_big_endian(std::string& bytes, std::span<const Element> values) {
-  const std::size_t before = bytes.size();
-  bytes.resize(before + values.size_bytes());
-  for (char* at = bytes.data() + before; Element value : values) {
-    auto raw = std::bit_cast<std::array<char, sizeof(Element)>>(value);
-    if constexpr (std::endian::native == std::endian::little) std::ranges::reverse(raw);
-    std::memcpy(at, raw.data(), raw.size());
-    at += raw.size();
-  }
-}
+  const Dataset& dataset_;
+  bool wide_;
+  std::string bytes_;
+  std::vector<std::size_t> begins_;  ///< where the header tells them
+};
+
+using Sink = std::function<void(std::string_view)>;
 
 // In pieces that stay in the cache.
-void write_values(const Values& values, const std::function<void(std::string_view)>& sink) {
+std::size_t write_read(const Values& values, const Sink& sink) {
   constexpr std::size_t piece = 1 << 15;
-  std::size_t bytes = 0;
-  std::visit(
+  return std::visit(
       [&]<class List>(const List& list) {
         using Element = typename List::value_type;
         std::string buffer;
@@ -134,23 +176,37 @@ void write_values(const Values& values, const std::function<void(std::string_vie
               buffer, std::span<const Element>(list).subspan(first, std::min(piece, list.size() - first)));
           sink(buffer);
         }
-        bytes = list.size() * sizeof(Element);
+        return list.size() * sizeof(Element);
       },
       values);
-  sink(std::string_view("\0\0\0", (4 - bytes % 4) % 4));
+}
+
+// As they are in the other file.
+std::size_t write_unread(const Variable& variable, const Sink& sink) {
+  constexpr std::size_t piece = 1 << 18;
+  const std::size_t bytes = size_in_memory(variable);
+  std::string buffer;
+  for (std::size_t first = 0; first < bytes; first += piece) {
+    buffer.resize(std::min(piece, bytes - first));
+    variable.unread->read(first, std::span(buffer));
+    sink(buffer);
+  }
+  return bytes;
 }
 
 }  // namespace
 
-void write_netcdf(const Dataset& dataset, const std::function<void(std::string_view)>& sink,
-                  std::size_t deferred) {
-  const std::span variables(dataset.variables.begin(), dataset.variables.size() - deferred);
-  for (const Variable& v : variables)
-    if (const std::size_t places = places_of(dataset, v); places != count(v.values))
-      throw std::logic_error(v.name + " has " + std::to_string(count(v.values)) + " values for " +
+void write_netcdf(const Dataset& dataset, const Sink& sink, std::size_t deferred) {
+  const std::span all(dataset.variables.begin(), dataset.variables.size() - deferred);
+  for (const Variable& v : all)
+    if (const std::size_t places = places_of(dataset, v); places != count(v))
+      throw std::logic_error(v.name + " has " + std::to_string(count(v)) + " values for " +
                              std::to_string(places) + " places");
-  sink(header_of(dataset));
-  for (const Variable& v : variables) write_values(v.values, sink);
+  sink(Head(dataset).bytes());
+  for (const Variable& v : all) {
+    const std::size_t bytes = v.unread ? write_unread(v, sink) : write_read(v.values, sink);
+    sink(std::string_view("\0\0\0", padded(bytes) - bytes));
+  }
 }
 
 std::string encode_netcdf(const Dataset& dataset, std::size_t deferred) {

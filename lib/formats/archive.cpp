@@ -47,7 +47,7 @@ void refuse_more(std::string_view bytes) {
 }
 
 // The archive shares ownership of the source.
-zip_t* open(zip_source_t* source, int flags) {
+zip_t* opened(zip_source_t* source, int flags) {
   zip_t* out = zip_open_from_source(source, flags, nullptr);
   if (out) zip_source_keep(source);
   return out;
@@ -113,22 +113,27 @@ zip_int64_t answer(void* sink, void* data, zip_uint64_t length, zip_source_cmd_t
 
 std::string named(const std::string& name) { return fmt::format("'{:.64}' in the archive", name); }
 
-}  // namespace
+class LibzipArchive : public ZipArchive {
+ public:
+  explicit LibzipArchive(std::string_view bytes) {
+    const Source source = owned(zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr));
+    archive_.reset(opened(source.get(), ZIP_RDONLY));
+    refuse_more(bytes);
+    if (!archive_) refuse("the file is not a zip archive, or is cut short");
+  }
+  bool has(const std::string& name) const override;
+  Entry entry(const std::string& name) const override;
+  std::string read(const std::string& name) const override;
 
-void ZipArchive::Close::operator()(zip* archive) const { zip_discard(archive); }
+ private:
+  std::unique_ptr<zip_t, Release<zip_discard>> archive_;
+};
 
-ZipArchive::ZipArchive(std::string_view bytes) {
-  const Source source = owned(zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr));
-  archive_.reset(open(source.get(), ZIP_RDONLY));
-  refuse_more(bytes);
-  if (!archive_) refuse("the file is not a zip archive, or is cut short");
-}
-
-bool ZipArchive::has(const std::string& name) const {
+bool LibzipArchive::has(const std::string& name) const {
   return zip_name_locate(archive_.get(), name.c_str(), 0) >= 0;
 }
 
-ZipArchive::Entry ZipArchive::entry(const std::string& name) const {
+ZipArchive::Entry LibzipArchive::entry(const std::string& name) const {
   const zip_int64_t index = zip_name_locate(archive_.get(), name.c_str(), 0);
   if (index < 0) refuse("{} is missing", named(name));
   zip_stat_t stat;
@@ -144,7 +149,7 @@ ZipArchive::Entry ZipArchive::entry(const std::string& name) const {
   return {place, stat.size, stat.comp_size};
 }
 
-std::string ZipArchive::read(const std::string& name) const {
+std::string LibzipArchive::read(const std::string& name) const {
   const Entry found = entry(name);
   const EntryFile file(zip_fopen_index(archive_.get(), found.index, 0));
   if (!file) refuse("{} cannot be read: {}", named(name), zip_strerror(archive_.get()));
@@ -164,13 +169,22 @@ std::string ZipArchive::read(const std::string& name) const {
   return out;
 }
 
-std::string zip_of(std::span<const ZipEntry> entries) {
+}  // namespace
+}  // namespace asperity
+
+using namespace asperity;
+
+void asperity_open_zip(std::string_view bytes, std::unique_ptr<ZipArchive>& out) {
+  out = std::make_unique<LibzipArchive>(bytes);
+}
+
+void asperity_make_zip(std::span<const ZipEntry> entries, std::string& out) {
   Sink sink;
   std::size_t bytes = 1024;
   for (const ZipEntry& entry : entries) bytes += entry.bytes.size() + 2 * entry.name.size() + 256;
   sink.bytes.reserve(bytes);
   const Source target = owned(zip_source_function_create(&answer, &sink, nullptr));
-  zip_t* archive = open(target.get(), ZIP_TRUNCATE);
+  zip_t* archive = opened(target.get(), ZIP_TRUNCATE);
   if (!archive) throw std::runtime_error("cannot create a zip archive");
   try {
     for (const ZipEntry& entry : entries) add(archive, entry);
@@ -179,7 +193,5 @@ std::string zip_of(std::span<const ZipEntry> entries) {
     zip_discard(archive);
     throw;
   }
-  return std::move(sink.bytes);
+  out = std::move(sink.bytes);
 }
-
-}  // namespace asperity

@@ -1,4 +1,4 @@
-/// Zip archives in memory; no other code calls libzip.
+/// Zip archives in memory; no other code calls libzip, which is loaded when it is needed (core/module.hpp).
 ///
 /// Reading does not trust the sizes in the archive: an entry must be stored or deflated, may claim at most
 /// 1032 times its bytes (the limit of deflate), is inflated in pieces, and must end where it claims to.
@@ -12,29 +12,27 @@
 #include <string>
 #include <string_view>
 
-struct zip;
-
 namespace asperity {
 
 class ZipArchive {
  public:
   /// The bytes must outlive the archive. Throws DataError("map", …) when they are not an archive.
-  explicit ZipArchive(std::string_view bytes);
+  static std::unique_ptr<ZipArchive> open(std::string_view bytes);
+  virtual ~ZipArchive() = default;
+  ZipArchive(const ZipArchive&) = delete;
+  ZipArchive& operator=(const ZipArchive&) = delete;
 
-  bool has(const std::string& name) const;
+  virtual bool has(const std::string& name) const = 0;
   struct Entry {
     std::size_t index, size, stored;  ///< claimed size when inflated, and size in the archive
   };
   /// Throws DataError when the entry is missing or claims an impossible size.
-  Entry entry(const std::string& name) const;
+  virtual Entry entry(const std::string& name) const = 0;
   /// The whole entry; throws DataError when its size or checksum is wrong.
-  std::string read(const std::string& name) const;
+  virtual std::string read(const std::string& name) const = 0;
 
- private:
-  struct Close {
-    void operator()(zip* archive) const;
-  };
-  std::unique_ptr<zip, Close> archive_;
+ protected:
+  ZipArchive() = default;
 };
 
 struct ZipEntry {
@@ -45,3 +43,6 @@ struct ZipEntry {
 std::string zip_of(std::span<const ZipEntry> entries);
 
 }  // namespace asperity
+
+extern "C" void asperity_open_zip(std::string_view bytes, std::unique_ptr<asperity::ZipArchive>& out);
+extern "C" void asperity_make_zip(std::span<const asperity::ZipEntry> entries, std::string& out);

@@ -9,6 +9,7 @@
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
+#include "dataset/unread.hpp"
 #include "formats/map.hpp"
 #include "formats/raster.hpp"
 #include "formats/refuse.hpp"
@@ -76,12 +77,13 @@ Field layer_of(const Dataset& dataset, const Variable& variable, Index k) {
       [&](const auto& values) -> Field {
         using Matrix = Eigen::Array<typename std::decay_t<decltype(values)>::value_type, Eigen::Dynamic,
                                     Eigen::Dynamic, Eigen::RowMajor>;
-        const Eigen::Map<const Matrix> layer(values.data() + k * shape.cells(), shape.nx, shape.ny);
+        const Eigen::Map<const Matrix> layer(values.data(), shape.nx, shape.ny);
         Field out = layer.template cast<double>();
         if (!std::isnan(missing)) out = (out == missing).select(Map::unknown, out);
         return out;
       },
-      variable.values);
+      values_of(variable, static_cast<std::size_t>(k * shape.cells()),
+                static_cast<std::size_t>(shape.cells())));
 }
 
 // ---- the arrays and the bytes after the XML ----
@@ -104,7 +106,7 @@ struct Block {
       : x(coordinate_of(data, "x")), y(coordinate_of(data, "y")), z(heights_of_layers(data)) {
     for (const Variable& v : data.variables) {
       const std::size_t layers = is_volume(v) ? z.size() : 1, tuples = x.size() * y.size() * layers;
-      if (std::holds_alternative<std::string>(v.values) || count(v.values) != tuples) continue;
+      if (std::holds_alternative<std::string>(v.values) || count(v) != tuples) continue;
       if (!is_field(v) && !is_volume(v)) continue;
       (is_volume(v) ? volumes : fields)
           .push_back({v.name, unit_shown(v), is_flags(v) ? NumberType::int8 : NumberType::float64, tuples,

@@ -206,7 +206,8 @@ Field values_listed(pugi::xml_node node, std::string_view list, Shape shape, con
 bool recognises(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
 Map decode(std::string_view bytes, const Reading& reading) {
-  const ZipArchive archive(bytes);
+  const std::unique_ptr<const ZipArchive> opened = ZipArchive::open(bytes);
+  const ZipArchive& archive = *opened;
   const std::string main = read_main(archive, reading.memory);
   const MemoryBound memory = reading.memory.beside(main.size());
   check_main(archive, main);

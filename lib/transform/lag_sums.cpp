@@ -1,5 +1,6 @@
 #include "transform/lag_sums.hpp"
 
+#include "core/large_field.hpp"
 #include "core/parallel.hpp"
 #include "transform/pruned.hpp"
 
@@ -23,7 +24,7 @@ Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
     for (Index k = 0; k < transform.block_size(); ++k) block[k] = std::norm(block[k]);
   });
   const Index period = transform.torus().ny, rows = max_lag.nx + 1;
-  Field sums(rows, 2 * max_lag.ny + 1);
+  Field sums = large_field({rows, 2 * max_lag.ny + 1});
   parallel_ranges((rows + group - 1) / group, threads, [&](Index begin, Index end, int) {
     Field lags(group, period);
     RowTransform::Work work = transform.row_work();

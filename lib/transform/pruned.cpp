@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/large_pages.hpp"
+
 namespace asperity {
 
 PrunedTransform::PrunedTransform(Shape field, Shape torus, ColumnTransform::Ways ways)
@@ -10,7 +12,12 @@ PrunedTransform::PrunedTransform(Shape field, Shape torus, ColumnTransform::Ways
 }
 
 HalfSpectrum PrunedTransform::half_spectrum() const {
-  return HalfSpectrum(size(blocks() * field_.nx * width));
+  const std::size_t room = size(blocks() * field_.nx * width);
+  HalfSpectrum out;
+  out.reserve(room);
+  prefer_large_pages(out.data(), room * sizeof(Complex));
+  out.resize(room);
+  return out;
 }
 
 // visit(first, count, work) for groups of neighbouring rows, whose parts of a block lie side by side.

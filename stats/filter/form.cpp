@@ -107,9 +107,9 @@ void FormFit::remove(Eigen::Ref<Field> heights, Index row, Index column, std::si
     heights -= products_.combined(steps_[pass], row, column, {heights.rows(), heights.cols()});
 }
 
-Field remove_form(const Field& z, int degree) {
-  FormFit fit(shape_of(z), degree);
-  Field heights = z - first_valid(z);
+Field remove_form(Field heights, int degree) {
+  FormFit fit(shape_of(heights), degree);
+  heights -= first_valid(heights);
   const double level = heights.rowwise().mean().mean();
   heights -= std::isnan(level) ? mean_of_valid(heights).value() : level;
   if (degree == 0) return heights;

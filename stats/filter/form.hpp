@@ -89,7 +89,7 @@ class FormFit {
   bool missing_ = false;
 };
 
-/// The heights above (1), or (2); throws as FormFit.
-Field remove_form(const Field& z, int degree = 0);
+/// The heights above (1), or (2), in their place; throws as FormFit.
+Field remove_form(Field heights, int degree = 0);
 
 }  // namespace asperity

@@ -39,8 +39,8 @@ std::string Form::words() const {
   return degree == 0 ? "mean" : degree == 1 ? "plane" : "degree " + std::to_string(degree);
 }
 
-WithoutForm without_form(const Field& z, const Grid& grid, const Form& form, int threads) {
-  if (form.kind == Form::Kind::polynomial) return {remove_form(z, form.degree)};
+WithoutForm without_form(Field z, const Grid& grid, const Form& form, int threads) {
+  if (form.kind == Form::Kind::polynomial) return {remove_form(std::move(z), form.degree)};
   const CurvedShape shape = form.kind == Form::Kind::sphere ? CurvedShape::sphere : CurvedShape::cylinder;
   const CurvedForm found = fit_curved_form(z, grid, shape, threads);
   return {above_form(z, grid, found), found.radius,

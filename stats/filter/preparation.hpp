@@ -46,7 +46,7 @@ struct WithoutForm {
   double axis = 0;  ///< of a cylinder: angle from +x towards +y, at most π/2 either way [rad]
 };
 /// Throws ParameterError("remove-form") where the measured points do not determine the form.
-WithoutForm without_form(const Field& z, const Grid& grid, const Form& form, int threads = 1);
+WithoutForm without_form(Field z, const Grid& grid, const Form& form, int threads = 1);
 
 struct MeanSurface {
   Field surface;

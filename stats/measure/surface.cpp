@@ -30,7 +30,7 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   surface.level = mean(surface.heights);
   const double size = surface.largest = largest_of(surface.heights);
   const auto& [form, shorter, longer] = preparation;
-  surface.heights = without_form(surface.heights, surface.grid, form, threads).heights;
+  surface.heights = without_form(std::move(surface.heights), surface.grid, form, threads).heights;
   surface.degree = std::max(surface.degree, form.modes());
   if (shorter.given()) surface.heights = waves_beyond(surface, "lambda-s", shorter, threads);
   if (longer.given()) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/large_field.hpp"
 #include "core/parallel.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/missing.hpp"
@@ -59,7 +60,11 @@ void AcfParameters::check(const Grid& grid) const {
 LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters) {
   const Grid& grid = pairs.grid();
   parameters.check(grid);
-  Field d = parameters.level ? Field(z - *parameters.level) : remove_form(z);
+  Field d = large_field(shape_of(z));
+  if (parameters.level)
+    d = z - *parameters.level;
+  else
+    d = remove_form(std::move(d = z));
   if (!pairs.complete()) d = zero_filled(d);
   Field sums = lag_sums(d, grid, parameters.max_lag, parameters.threads);
   sums /= pairs.points();

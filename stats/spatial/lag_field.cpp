@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/large_field.hpp"
 
 namespace asperity {
 
@@ -34,7 +35,9 @@ LagField LagField::within(Shape max_lag) const {
 LagField LagField::normalised() const {
   const double variance = (*this)(0, 0);
   if (!(variance > 0)) throw DataError("acf", "the variance R(0,0) is not positive");
-  return LagField(values_ / variance);
+  Field out = large_field(shape_of(values_));
+  out = values_ / variance;
+  return LagField(std::move(out));
 }
 
 }  // namespace asperity

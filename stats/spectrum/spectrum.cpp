@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/large_field.hpp"
 #include "stats/filter/missing.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/spatial/pairs.hpp"
@@ -116,7 +117,8 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
   const Eigen::ArrayXd wx = window_of(windows.x, nx), wy = window_of(windows.y, ny);
   const PrunedTransform transform(grid.shape, grid.shape);
   HalfSpectrum half = transform.half_spectrum();
-  Field windowed = (d.colwise() * wx).rowwise() * wy.transpose();
+  Field windowed = large_field(grid.shape);
+  windowed = (d.colwise() * wx).rowwise() * wy.transpose();
   double mean_square = 1;
   if (has_missing(windowed)) {
     mean_square = sum_over(validity(d), wx.square(), wy.square()) / static_cast<double>(d.size());
@@ -124,7 +126,7 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
   }
   transform.forward_rows(windowed, half, threads);
 
-  Field out(nx / 2 + 1, 2 * (ny / 2) + 1);
+  Field out = large_field({nx / 2 + 1, 2 * (ny / 2) + 1});
   const double scale = grid.cell_area() / (static_cast<double>(grid.shape.cells()) * mean_square);
   transform.each_block(half, threads,
                        [&](Index b, const Complex* block) { store(transform, b, block, scale, out); });

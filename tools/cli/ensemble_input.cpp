@@ -158,8 +158,7 @@ Names EnsembleInput::from_standard_input(const Run& run, std::size_t of) {
   if (names.empty())
     visit_one(run, "-", of, [&] {
       if (of > 1) return run.tool.read(*piped_, "-");  // kept for another visit
-      const std::optional<Bytes> bytes = std::exchange(piped_, {});
-      return run.tool.read(*bytes, "-");
+      return run.tool.read(std::move(*std::exchange(piped_, {})), "-");
     });
   if (of == 1) piped_.reset();
   return names;

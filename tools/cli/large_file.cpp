@@ -1,11 +1,11 @@
 #include "tools/cli/large_file.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "core/error.hpp"
 #include "dataset/netcdf.hpp"
+#include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
 
@@ -14,9 +14,7 @@ namespace fs = std::filesystem;
 bool larger_than_memory(const std::string& path, std::size_t memory) {
   std::error_code none;
   if (!fs::is_regular_file(path, none) || fs::file_size(path, none) <= memory / 8) return false;
-  std::string first(8, '\0');
-  std::ifstream(path, std::ios::binary).read(first.data(), static_cast<std::streamsize>(first.size()));
-  return looks_like_netcdf(first);
+  return looks_like_netcdf(first_bytes(path));
 }
 
 void refuse_strips(const std::string& path, const std::string& what) {

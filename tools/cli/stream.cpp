@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <random>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
@@ -79,6 +80,16 @@ Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory) {
     if (n == 0) return bytes;
     bytes.add(static_cast<std::size_t>(n));
   }
+}
+
+std::string first_bytes(const std::string& name) {
+  std::string out(8, '\0');
+  std::error_code none;
+  if (name == "-" || !std::filesystem::is_regular_file(name, none)) return "";
+  std::ifstream in(name, std::ios::binary);
+  in.read(out.data(), static_cast<std::streamsize>(out.size()));
+  out.resize(static_cast<std::size_t>(in.gcount()));
+  return out;
 }
 
 void write_to(int fd, std::string_view bytes, const std::string& name) {

@@ -24,6 +24,8 @@ using asperity::Bytes;
 Bytes read_all(const std::string& name, const MemoryBound& memory);
 /// The same of an open file, which may be empty.
 Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory);
+/// The first few, enough to know NetCDF by, of a regular file; none of any other.
+std::string first_bytes(const std::string& name);
 void write_to(int fd, std::string_view bytes, const std::string& name);
 /// Before the work: throws where OutputFile would refuse this name, but opens nothing.
 void require_writable(const std::string& name);

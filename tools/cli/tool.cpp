@@ -165,13 +165,33 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) {
 Dataset Tool::read() const { return read(input_); }
 
 Dataset Tool::read(const std::string& name, std::size_t held) const {
-  return read(read_all(name, memory_bound(held)), name, held);
+  const std::string first = first_bytes(name);
+  if (!looks_like_netcdf(first) || !format_.netcdf(first))
+    return read(read_all(name, memory_bound(held)), name, held);
+  return read_by(name, first, [&] { return open_netcdf(name, memory_bound(held)); });
 }
 
 Dataset Tool::read(const Bytes& bytes, const std::string& name, std::size_t held) const {
-  reads(name, result_is_dataset_ && format_.netcdf(bytes));
-  if (!format_.netcdf(bytes)) detail(format_.reason(bytes, name));
-  Dataset data = format_.dataset(bytes, name, memory_bound(held));
+  return read_by(name, bytes, [&] { return format_.dataset(bytes, name, memory_bound(held)); });
+}
+
+Dataset Tool::read(Bytes&& bytes, const std::string& name, std::size_t held) const {
+  if (!format_.netcdf(bytes)) return read(std::as_const(bytes), name, held);
+  return read_by(name, bytes, [&] {
+    const MemoryBound left = memory_bound(held + bytes.size());
+    return open_netcdf(std::move(bytes), left);
+  });
+}
+
+Dataset Tool::read_by(const std::string& name, std::string_view first_bytes,
+                      const std::function<Dataset()>& decoded) const {
+  const bool netcdf = format_.netcdf(first_bytes);
+  reads(name, result_is_dataset_ && netcdf);
+  if (netcdf)
+    format_.found(first_bytes, name);  // refuses what is given for a map alone
+  else
+    detail(format_.reason(first_bytes, name));
+  Dataset data = decoded();
   settle(data, name);
   return data;
 }

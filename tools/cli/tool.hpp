@@ -201,11 +201,13 @@ class Tool {
   int run(int argc, char** argv, const std::function<int()>& body);
 
   // Inside the body.
+  // A large variable is read when it is needed (dataset/unread.hpp).
   Dataset read() const;  ///< the dataset named by INPUT
   /// "-" is stdin. `held` bytes are in use by other inputs.
   Dataset read(const std::string& name, std::size_t held = 0) const;
-  /// The dataset in bytes that were read from `name`.
+  /// The dataset in bytes that were read from `name`; bytes that are given away keep its unread values.
   Dataset read(const Bytes& bytes, const std::string& name, std::size_t held = 0) const;
+  Dataset read(Bytes&& bytes, const std::string& name, std::size_t held = 0) const;
   const InputFormat& format() const { return format_; }
   /// Settles lengths (dataset/layout.hpp) and notes what was settled; `name` is that of one file among
   /// several.
@@ -235,6 +237,8 @@ class Tool {
   std::vector<Step> steps_of_command_line() const;
   std::vector<Step> steps_of_text() const;
   void settle_steps();
+  Dataset read_by(const std::string& name, std::string_view first_bytes,
+                  const std::function<Dataset()>& decoded) const;
   void add_common();
   void add_seed();
   void add_running();

@@ -95,7 +95,8 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
   data.attributes.set("acf_variable", content.variable);
   const AcfEstimate& estimate = result.estimate;
   Writer writer(data, estimate.basis.pairs.grid(), content);
-  writer.acf((content.absolute ? estimate.variance : 1) * estimate.rho.half_plane());
+  const Field& rho = estimate.rho.half_plane();
+  content.absolute ? writer.acf(estimate.variance * rho) : writer.acf(rho);
   if (result.errors)
     writer.error(result.errors->half_plane(), "standard error of acf, from the field's own long waves");
   if (result.structure) writer.structure(result.structure->half_plane());

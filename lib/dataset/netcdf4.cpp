@@ -1,5 +1,10 @@
+#include "dataset/netcdf4.hpp"
+
 #include <algorithm>
 #include <cerrno>
+
+#include <netcdf.h>
+#include <netcdf_mem.h>
 
 #include "dataset/netcdf_types.hpp"
 
@@ -75,28 +80,15 @@ Header read_header(int file, int id, const std::vector<Dimension>& dimensions) {
   return out;
 }
 
-// A classic file stores its values uncompressed, so that fewer bytes than values mean a file cut short. Wrong
-// sizes in a header must not cause allocation.
-void refuse_if_cut_short(int file, const std::vector<Header>& headers, std::size_t bytes) {
-  int format = 0;
-  check(nc_inq_format(file, &format), "format");
-  const bool deflates = format == NC_FORMAT_NETCDF4 || format == NC_FORMAT_NETCDF4_CLASSIC;
-  std::size_t left = deflates ? most_made_of(bytes) : bytes;
+// Wrong sizes in a header must not cause allocation.
+void refuse_impossible_sizes(const std::vector<Header>& headers, std::size_t bytes) {
+  std::size_t left = most_made_of(bytes);
   for (const Header& h : headers) {
-    const std::string there = std::to_string(bytes);
-    if (h.bytes > left && deflates)
-      refuse(h.variable.name + " claims " + std::to_string(h.bytes) + " bytes, more than a file of " + there +
-             " bytes can hold");
-    if (h.bytes > left) refuse_cut_short(h.variable.name, bytes);
+    if (h.bytes > left)
+      refuse(h.variable.name + " claims " + std::to_string(h.bytes) + " bytes, more than a file of " +
+             std::to_string(bytes) + " bytes can hold");
     left -= h.bytes;
   }
-}
-
-// In memory the library returns EPERM if a variable ends beyond the last byte.
-void read_values(int file, int id, Variable& variable, std::size_t bytes) {
-  const int status = nc_get_var(file, id, data(variable.values));
-  if (status == EPERM) refuse_cut_short(variable.name, bytes);
-  check(status, variable.name + " cannot be read");
 }
 
 void refuse_groups(int file) {
@@ -105,35 +97,16 @@ void refuse_groups(int file) {
     refuse("groups of NetCDF-4 are not supported: move the variables to the root group");
 }
 
-bool stays(const Variable& variable, const Extent& extent) {
-  const auto lies_on = [&](const char* name) { return std::ranges::count(variable.dimensions, name) > 0; };
-  return extent.fields_stay && lies_on("x") && lies_on("y");
-}
-
-// Counts all copies of the values, and the largest variable as doubles if it will be converted.
 void refuse_if_large(const std::vector<Header>& headers, const Extent& extent) {
   double values = 0, most = 0;
   for (const Header& h : headers) {
-    if (stays(h.variable, extent)) continue;
     values += static_cast<double>(h.bytes);
     most = std::max(most, static_cast<double>(h.elements));
   }
-  const double doubles = extent.whole ? sizeof(double) * most : 0;
-  extent.memory.require(extent.times * values + doubles, "dataset");
+  require_memory(extent.times * values, most, extent);
 }
 
-}  // namespace
-
-void refuse_cut_short(const std::string& name, std::size_t bytes) {
-  refuse("the file is cut short: " + name + " ends beyond its " + std::to_string(bytes) + " bytes");
-}
-
-std::size_t most_made_of(std::size_t bytes) {
-  constexpr std::size_t most_inflated = 1032;
-  return std::min(bytes, SIZE_MAX / 4 / most_inflated) * most_inflated;
-}
-
-Dataset read_dataset(int file, const Extent& extent) {
+Dataset read_dataset(int file, const Extent& extent, std::size_t bytes) {
   refuse_groups(file);
   int dimensions = 0, variables = 0, attributes = 0;
   check(nc_inq(file, &dimensions, &variables, &attributes, nullptr), "the file cannot be read");
@@ -143,16 +116,30 @@ Dataset read_dataset(int file, const Extent& extent) {
   std::vector<Header> headers;
   headers.reserve(static_cast<std::size_t>(variables));
   for (int v = 0; v < variables; ++v) headers.push_back(read_header(file, v, out.dimensions));
-  refuse_if_cut_short(file, headers, extent.bytes);
+  refuse_impossible_sizes(headers, bytes);
   refuse_if_large(headers, extent);
   for (int v = 0; v < variables; ++v) {
     Header& header = headers[static_cast<std::size_t>(v)];
-    const std::size_t elements = stays(header.variable, extent) ? 0 : header.elements;
-    header.variable.values = allocate(header.type, elements, header.variable.name);
-    if (elements > 0) read_values(file, v, header.variable, extent.bytes);
+    Values& values = header.variable.values;
+    values = allocate(header.type, header.elements, header.variable.name);
+    if (header.elements > 0)
+      check(nc_get_var(file, v, data(values)), header.variable.name + " cannot be read");
     out.variables.push_back(std::move(header.variable));
   }
   return out;
 }
 
+}  // namespace
+
 }  // namespace asperity::netcdf
+
+using namespace asperity::netcdf;
+
+void asperity_read_netcdf4(std::string_view bytes, const Extent& extent, asperity::Dataset& out) {
+  Handle file;
+  const int status =
+      nc_open_mem("dataset", NC_NOWRITE, bytes.size(), const_cast<char*>(bytes.data()), &file.id);
+  file.open = status == NC_NOERR;
+  check(status, "the file cannot be read");
+  out = read_dataset(file.id, extent, bytes.size());
+}
