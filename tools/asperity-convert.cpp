@@ -92,8 +92,9 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
   }
   Dataset data = opened(tool, std::move(*bytes));
   bytes.reset();
-  if (options.map.changes() || names_another(tool, data, options.variable))
-    cli::replace_surface(tool, data, options.map.applied(map_of(data, options.variable)));
+  const bool another = names_another(tool, data, options.variable);
+  if (options.map.changes() || another)
+    cli::replace_surface(tool, data, options.map.applied(map_of(data, options.variable)), another);
   return options.surface ? without_depth(std::move(data)) : data;
 }
 

@@ -194,6 +194,11 @@ TEST_CASE("what a map has lost stays with it: a form, by its share, and measured
   require("asperity-filter -q form.nc --variable other --scale 2 -o other.nc");
   CHECK(number("form.nc", "filter_form_degree") == 6);
   CHECK(number("other.nc", "filter_form_degree") == 0);
+  require(
+      "asperity-convert -q form.nc --variable other -o other.nc; asperity-convert -q form.nc --size 1mm -o "
+      "large.nc");
+  CHECK(number("other.nc", "filter_form_degree") == 0);
+  CHECK(number("large.nc", "filter_form_degree") == 6);
   for (const std::string memory : {"", " --memory 200kB"}) {
     require("asperity-filter -q form.nc --crop 0:48,0:32" + memory + " -o part.nc");
     CHECK(number("part.nc", "filter_form_degree") == 2);

@@ -93,13 +93,13 @@ void drop_surface(Dataset& data, std::string_view result) {
   });
 }
 
-void replace_surface(const Tool& tool, Dataset& data, const Map& map) {
+void replace_surface(const Tool& tool, Dataset& data, const Map& map, bool another) {
   const Inventory before(data);
   const Attributes former = data.attributes;
   Dataset now = dataset_of(map);
   drop_surface(data, "kernel");
-  for (const Attribute& a : former)  // what was removed from the heights is removed from the map too
-    if (a.name.starts_with("filter_")) data.attributes.set_values(a.name, a.values);
+  for (const Attribute& a : former)
+    if (!another && a.name.starts_with("filter_")) data.attributes.set_values(a.name, a.values);
   for (const Dimension& d : now.dimensions) data.set_dimension(d.name, d.length);
   for (Variable& v : now.variables) data.put(std::move(v));
   before.tell(tool, data, "map");

@@ -26,8 +26,9 @@ void drop_results(Dataset& data, std::string_view result, std::string_view input
 /// The same before a new surface: every variable on (x, y) belongs to the former one.
 void drop_surface(Dataset& data, std::string_view result = "heights");
 
-/// Puts a new map in place of the surface: drops what belonged to the former one, and notes it.
-void replace_surface(const Tool& tool, Dataset& data, const Map& map);
+/// Puts a new map in place of the surface: drops what belonged to the former one, and notes it. What was
+/// removed from the surface was removed from the map too, unless it is that of another variable.
+void replace_surface(const Tool& tool, Dataset& data, const Map& map, bool another = false);
 
 /// The names in a dataset, without coordinates, so that a tool can list at the end which of them were
 /// dropped.
