@@ -38,7 +38,7 @@ bool names_block(const std::string& words) {
 
 }  // namespace
 
-void Blocks::comment(std::string_view line, bool above) {
+void TextBlocks::comment(std::string_view line, bool above) {
   std::string words = words_in(line);
   if (words.empty()) return;
   if (above)
@@ -47,7 +47,7 @@ void Blocks::comment(std::string_view line, bool above) {
     below_ = "the comment " + quoted(line);
 }
 
-void Blocks::numbers(std::size_t line, bool first) {
+void TextBlocks::numbers(std::size_t line, bool first) {
   if (first || below_.empty()) {
     several_ |= !first;
   } else if (second_ == 0) {

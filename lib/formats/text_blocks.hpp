@@ -1,4 +1,4 @@
-/// Blocks of lines of numbers in a text, which would be several maps in one file.
+/// TextBlocks of lines of numbers in a text, which would be several maps in one file.
 ///
 /// Lines are parted by an empty line, or by a comment like the head of a block: its words are, but for
 /// numbers and digits, those of a comment above all numbers; or there are three words at most and the first
@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-class Blocks {
+class TextBlocks {
  public:
   void empty_line() { below_ = "an empty line"; }
   /// `above`: no line of numbers has come so far; likewise `first`.

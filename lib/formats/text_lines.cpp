@@ -264,7 +264,7 @@ class TableReader {
   std::vector<std::array<bool, 2>> seen_{};  // of each column: numbers without a point, and with one
   std::string mixed_;                        // as Table::mixed
   bool decimal_ = false;                     // points are decimal marks
-  Blocks blocks_{};
+  TextBlocks blocks_{};
   std::size_t line_, most_;  // most_: numbers
 };
 
