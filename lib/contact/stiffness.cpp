@@ -28,7 +28,7 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
   const bool full = free.cells == static_cast<double>(pressure.size());
   const int asked = full ? 1 : 0;
   if (full && !answers_constant(body, shape_of(pressure)))
-    return {.value = infinity, .residual = 0, .convolutions = asked};
+    return {.value = infinity, .residual = 0, .convolutions = static_cast<double>(asked)};
 
   problem.approach = 1;  // of K q
   Trial trial;

@@ -34,7 +34,7 @@ namespace asperity {
 struct Stiffness {
   double value = std::numeric_limits<double>::quiet_NaN();     ///< S [N/m]; NaN where not converged
   double residual = std::numeric_limits<double>::quiet_NaN();  ///< max|1 - u| on C, from a fresh convolution
-  int convolutions = 0, preconditionings = 0;                  ///< on the body's cells
+  double convolutions = 0, preconditionings = 0;               ///< on the body's cells
 };
 
 /// The residual at which S is accepted.
