@@ -1,18 +1,19 @@
 /// Relaxation of a pressure within its bounds, by what cells do to their neighbours.
 ///
-/// What a step on a free set throws out of bounds cannot be clipped alone: the load that a cell loses belongs
-/// to its neighbours. About a pressure p with g = h + K p the energy of a change d, 0 ≤ p + d ≤ c, is modelled
+/// What a step on a free set throws out of bounds should not be clipped alone: the load that a cell loses
+/// belongs to its neighbours. About a pressure p with g = h + K p the energy of a change d, 0 ≤ p + d ≤ c, is
+/// modelled by
 ///     E = (g - δ)·d + ½ d·A d,   A = K_t + β Z Zᵀ,                                            (1)
-///     K_t(i,j) = max(0, K(i,j) - K_R),   β = 8 K_R,                                           (2)
+///     K_t(i,j) = max(0, K(i,j) - K_R),   β = 4 K_R,                                           (2)
 /// with K_R the larger of K(3,0) and K(0,3), so that K_t reaches two cells; Z holds the indicators of blocks
 /// of 8 × 8 cells, whose load β holds where it is. Each cell in turn takes the pressure of the least E,
 ///     p + d ← clip(p + d - (g - δ + A d)/A₀₀, 0, c),                                          (3)
 /// in sweeps forth and back. E never rises. It is a model: whether the energy falls is for the caller to see.
 ///
-/// Rows are swept forth and back in strips of 64, all even strips before the odd ones: strips of a kind do not
-/// reach each other and may run on several threads, and a strip stays in the cache. In a row every eighth cell
-/// comes first, then the cells beside them, and so on: those that are eight apart neither reach each other nor
-/// share a block, and are relaxed in vector lanes.
+/// Rows are swept forth and back in strips of 64, all even strips before the odd ones: strips of a kind do
+/// not reach each other and may run on several threads, and a strip stays in the cache. In a row every eighth
+/// cell comes first, then the cells beside these, and so on: those that are eight apart neither reach each
+/// other nor share a block, and are relaxed in vector lanes.
 ///
 /// Cost    25 operations a cell and sweep: four sweeps take about half of a padded K.
 /// Memory  a field for d.

@@ -5,13 +5,13 @@
 ///     z = P_F M r,   β = z·r / (z·r)_old,   d = z + β d,                                        (2)
 ///     q = K d,   a = z·r / d·q,   p += a d,   g += a q,   r = P_F (r - a q).
 /// Σp stays as it is, and δ is never an unknown. Under a given approach δ takes the place of mean_F(g), and
-/// P_F only masks. M is linear and F stands, so that β is Fletcher's and Reeves's. In the place of M there may
-/// be B of contact/two_level.hpp, which varies from step to step; then β = max(0, z·(r - r_old) / (z·r)_old),
-/// Polak's and Ribière's.
+/// P_F only masks. M is linear and F stands, so that β is Fletcher's and Reeves's. In the place of M may be
+/// B of contact/two_level.hpp, which varies a little: then β = max(0, z·(r - r_old) / (z·r)_old), Polak's and
+/// Ribière's.
 ///
 /// Cost: an application of K, one of M, and four passes a step, a third of the operators' time.
-/// Memory: four fields and a mask; r, z and q are never wanted at once and share one, r following from g. With
-/// B two more.
+/// Memory: four fields and a mask; r, z and q are never wanted at once and share one, r following from g. Two
+/// more with B.
 ///
 /// I. A. Polonsky, L. M. Keer, A numerical method for solving rough contact problems based on the multi-level
 /// multi-summation and conjugate gradient techniques, Wear 231 (1999) 206-219; E. A. H. Vollebregt, The

@@ -6,9 +6,9 @@
 ///     B = Π M Π + Z N⁻¹ (K_c + D)⁻¹ N⁻¹ Zᵀ,                                                   (1)
 ///     D = b² K₀₀ [1/n + (1 - 1/n)/(b+1) - 1/b].                                               (2)
 /// Z holds the indicators of F in the blocks, N their counts n; Π subtracts from a field its mean over F in
-/// each block. K_c is K on cells b = 8 times as long and wide, over the blocks that F meets; D is what a block
-/// is stiffer that is filled in part, 0 where n = b². Both terms are symmetric, the first positive definite on
-/// fields without block means, the second on those that are nothing else: B is positive definite on F.
+/// each block. K_c is K on cells b = 8 times as long and wide, over the blocks that F meets; D is by how much
+/// a block is stiffer that is filled in part, 0 where n = b². Both terms are symmetric, the first positive
+/// definite on fields without block means, the second on those that are nothing else: B is definite on F.
 ///
 /// (K_c + D) x = y is solved by conjugate gradients with the preconditioner s M_c s + D/(k+D)², s² = k/(k+D),
 /// k that of K_c. They end early, so that B varies a little from step to step: contact/subspace_cg.hpp allows
