@@ -3,7 +3,7 @@
 using namespace asperity;
 using namespace asperity::test;
 
-// A surface that shows new asperities on every finer grid takes no more convolutions on it. Counts are those
+// A surface that shows new asperities on every finer grid takes hardly more convolutions on it. Counts are those
 // of ε = 1e-8, measured 18.6 and 19.8 at 256², 17.2 and 16.8 at 512²; bare conjugate gradients on each set,
 // clipped, take 21.1 and 25.3, 34.0 and 49.7.
 TEST_CASE("spheres of exponential roughness take no more than 21 convolutions at 256², and as many at 512²",
