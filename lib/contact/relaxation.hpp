@@ -15,7 +15,7 @@
 /// cell comes first, then the cells beside these, and so on: those that are eight apart neither reach each
 /// other nor share a block, and are relaxed in vector lanes.
 ///
-/// Cost    25 operations a cell and sweep: four sweeps take about half of a padded K.
+/// Cost    25 operations a cell and sweep; four sweeps take 0.5 to 0.8 of a padded K.
 /// Memory  a field for d.
 ///
 /// A. Brandt, C. W. Cryer, Multigrid algorithms for the solution of linear complementarity problems arising

@@ -61,8 +61,8 @@ inline constexpr double far_from_datum = 100;  ///< displacements: round-off of 
 // Ragged free sets on fine grids. Convolutions of eight contacts to ε = 1e-8, 178 in total: scenes B and B2
 // at 512² and 1024², C10 at 512², three periodic self-affine surfaces of H = 0.8 at 512².
 inline constexpr Index fine_cells = 128 * 128;
-// TwoLevel::raggedness(); smooth spheres have 0.9, scene B has 4…16. For blocks 3: 178, but longer times where
-// no wave is shorter than 30 cells.
+// TwoLevel::raggedness(); smooth spheres have 0.9, scene B has 4…16. For blocks 3: 178, but longer times
+// where no wave is shorter than 30 cells.
 inline constexpr double ragged_to_relax = 3;     ///< 2: 177, 5: 188
 inline constexpr double ragged_for_blocks = 5;   ///< 8: 188
 inline constexpr double ragged_reduction = 0.1;  ///< in place of `reduction`; 0.03: 192, 0.25: 187
