@@ -26,10 +26,16 @@ struct Block {
   }
 };
 
+/// As many as pay for a pass over so many cells.
+inline int useful_threads(Index cells, int threads) {
+  constexpr Index worth_a_thread = 1 << 18;
+  return cells < worth_a_thread ? 1 : threads;
+}
+
 /// Blocks of `cells` cells; how many depends on nothing else.
 class Blocks {
  public:
-  Blocks(Index cells, int threads) : cells_(cells), threads_(cells < worth_a_thread ? 1 : threads) {}
+  Blocks(Index cells, int threads) : cells_(cells), threads_(useful_threads(cells, threads)) {}
 
   /// visit(block) returns the block's part; the parts are added by +=, in order.
   template <class Visit>
@@ -54,7 +60,7 @@ class Blocks {
   }
 
  private:
-  static constexpr Index length = 1024, worth_a_thread = 1 << 18;
+  static constexpr Index length = 1024;
 
   Index cells_;
   int threads_;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "contact/projection.hpp"
+#include "contact/relaxation.hpp"
 #include "contact/subspace_cg.hpp"
 #include "core/calibration.hpp"
 
@@ -18,7 +21,11 @@ struct Iteration : ContactSolution {
   ContactProblem& problem;
   int updates = 0;  // of g by recurrence
   Trial trial = {};
+  std::unique_ptr<TwoLevel> two_level = {};  // both on fine grids alone
+  std::unique_ptr<Relaxation> relaxation = {};
+  bool relax_next = false;
 
+  bool is_ragged(double least) const { return two_level && two_level->raggedness() > least; }
   void apply(const Field& pressure, Field& displacement) {
     ++convolutions;
     problem.influence->apply(pressure, displacement);
@@ -56,6 +63,10 @@ void scale_to_least_energy(Iteration& x) {
 
 Iteration first_iterate(ContactProblem& problem, ContactStart start) {
   Iteration x{{std::move(start.p), std::move(start.g)}, problem};
+  if (TwoLevel::suits(shape_of(problem.h))) {
+    x.two_level = std::make_unique<TwoLevel>(*problem.influence, problem.threads);
+    x.relaxation = std::make_unique<Relaxation>(*problem.influence, problem.threads);
+  }
   if (x.g.size() > 0) return x;
   if (!clip_and_rescale(problem, x.p)) project(problem, x.p);
   refresh(x);
@@ -127,15 +138,30 @@ void gradient_step(Iteration& x, GradientSteps& steps) {
 }
 
 // How many gradient steps are to follow.
-int guarded_step(Iteration& x) {
+int relaxation_step(Iteration& x) {
+  x.trial.p = x.p;
+  x.trial.g = x.g;
+  x.relaxation->relax(x.trial.p, x.trial.g, x.residual.approach, x.problem.cap, sweeps_of_step);
+  if (!clip_and_rescale(x.problem, x.trial.p)) return steps_after_cut;
+  const Line line = line_to_trial(x);
+  if (!(line.slope < 0 && line.curvature > 0)) return steps_after_cut;
+  move(x, line.lowest());
+  return 0;
+}
+
+// How many gradient steps are to follow. `level`: the mean gap of the free set on which the trial was found.
+int guarded_step(Iteration& x, double level) {
+  if (x.is_ragged(ragged_to_relax))
+    x.relaxation->relax(x.trial.p, x.trial.g, level, x.problem.cap, sweeps_of_guarded_step);
   if (!clip_and_rescale(x.problem, x.trial.p)) return steps_after_cut;
   const auto [slope, curvature] = line_to_trial(x);
   if (slope < 0 && slope + curvature / 2 <= sufficient_decrease * slope) return move(x, 1), 0;
   if (slope < 0 && curvature > 0) move(x, Line{slope, curvature}.lowest());
-  return steps_after_cut;
+  x.relax_next = x.relaxation != nullptr;
+  return x.relax_next ? 0 : steps_after_cut;
 }
 
-void minimise(SubspaceCG& cg, double wanted) {
+void minimise(SubspaceCG& cg, double wanted, double reduction) {
   double reference = cg.residual().norm(), least = reference;
   while (cg.steps() < subspace_steps && cg.step() && cg.residual().largest > wanted) {
     const double norm = cg.residual().norm();
@@ -147,16 +173,26 @@ void minimise(SubspaceCG& cg, double wanted) {
   }
 }
 
+// F, and whether it is so ragged that the two-level preconditioner pays, which is then set to it.
+std::pair<FreeSet, bool> free_set(Iteration& x) {
+  FreeSet free(x.problem, x.p, x.g, x.residual.approach);
+  if (x.two_level) x.two_level->set(free.mask);
+  if (!x.is_ragged(ragged_for_blocks)) return {std::move(free), false};
+  free.proportion(x.problem, x.p, x.g, x.residual.approach);
+  x.two_level->set(free.mask);
+  return {std::move(free), true};
+}
+
 // How many gradient steps are to follow.
 int subspace_step(Iteration& x, double tolerance) {
-  const FreeSet free(x.problem, x.p, x.g, x.residual.approach);
+  const auto [free, ragged] = free_set(x);
   if (free.cells < (x.problem.approach ? 1 : 2)) return steps_at_start;
-  SubspaceCG cg(x.problem, free, x.p, x.g, x.trial);
-  minimise(cg, goal * tolerance * x.residual.scale);
+  SubspaceCG cg(x.problem, free, x.p, x.g, x.trial, ragged ? x.two_level.get() : nullptr);
+  minimise(cg, goal * tolerance * x.residual.scale, ragged ? ragged_reduction : reduction);
   x.convolutions += cg.applications();
   x.preconditionings += cg.applications();
   if (cg.steps() == 0) return steps_after_failure;
-  if (cg.out_of_bounds()) return guarded_step(x);
+  if (cg.out_of_bounds()) return guarded_step(x, cg.level());
   std::swap(x.p, x.trial.p);
   std::swap(x.g, x.trial.g);
   x.updates += cg.steps();
@@ -179,7 +215,9 @@ ContactSolution minimise(ContactProblem& problem, ContactStart start, double tol
       x.fresh = x.updates == 0;
       return x;
     }
-    if (gradient.left > 0) {
+    if (std::exchange(x.relax_next, false)) {
+      gradient = gradient_steps(problem, relaxation_step(x));
+    } else if (gradient.left > 0) {
       gradient_step(x, gradient);
     } else if (halving.add(x.residual.epsilon) >= rounds_to_halve) {
       halving.restart(x.residual.epsilon);

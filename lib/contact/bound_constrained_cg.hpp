@@ -9,14 +9,24 @@
 ///       gradient step p ← p + λ (Proj(p - α (g - δ)) - p),  λ = min(1, -(g-δ)·d / d·Kd)
 ///                     a few times; also when ε has not halved in four rounds, or |F| < 2
 ///
-/// Cells leave a bound all at once when F is built, or in a gradient step; they join one in a guarded or a
-/// gradient step alone, and exactly. Every iterate is feasible and the energy falls: the sets cannot cycle.
-/// On F the gradients go on while no bound is violated; once the residual has fallen to a quarter they stop
-/// at the first violation, and where it has grown a thousandfold, for at round-off directions are noise.
+/// A set with holes and islands of any size is the more ragged the finer the grid. Where F has far more edge
+/// than a disc, on 128² cells or more, a subspace step
+///   - takes the preconditioner of contact/two_level.hpp, and goes on to a tenth of the residual,
+///   - leaves cells on their bound that are driven off it by little (FreeSet::proportion),
+///   - relaxes what it found within the bounds before it is clipped (contact/relaxation.hpp).
+/// On such grids a relaxation from p, as far as the energy falls, takes the place of the gradient steps after
+/// a guarded step that was refused; they follow if it fails.
+///
+/// Cells leave a bound when F is built, in a relaxation or in a gradient step; they join one in these and
+/// in guarded steps, and exactly. Whatever proposes a pressure, it is clipped and rescaled, and taken
+/// only as far as the energy falls, of which K d tells: every iterate is feasible and the energy falls,
+/// so that the sets cannot cycle. On F, which always holds the free cells, the gradients go on while no
+/// bound is violated, and once the residual has fallen to a quarter they stop at the first violation, and
+/// where it has grown a thousandfold, for at round-off directions are noise.
 ///
 /// Accuracy  g follows p by recurrence, fresh after 50 updates; contact/windowed.hpp confirms ε.
 /// Cost      one K a step, one M a conjugate gradient step, a few passes over the cells; six fields and a
-///           mask.
+///           mask, on ragged sets three fields more.
 ///
 /// E. G. Birgin, J. M. Martínez, M. Raydan, Nonmonotone spectral projected gradient methods on convex sets,
 /// SIAM J. Optim. 10 (2000) 1196-1211; J. J. Moré, G. Toraldo, On the solution of large quadratic programming

@@ -21,8 +21,17 @@ class ElasticOperator {
   virtual void precondition(const Field& r, Field& z) = 0;
   /// K₀₀: the displacement of a cell under its own unit pressure [m/Pa].
   virtual double self_influence() const = 0;
-  /// The same body on cells twice as long and wide; asked only of even shapes.
-  virtual std::unique_ptr<ElasticOperator> coarsened() const = 0;
+  /// K between two cells that are i and j apart, 0 ≤ i, j ≤ reach, but for a constant [m/Pa]. Asked only of
+  /// shapes with more than 2 reach cells a side.
+  virtual Field near_influence(Index reach) {
+    Field u = Field::Zero(shape().nx, shape().ny);
+    const Index i = shape().nx / 2, j = shape().ny / 2;
+    u(i, j) = 1;
+    apply(u, u);
+    return u.block(i, j, reach + 1, reach + 1);
+  }
+  /// The same body on cells `factor` times as long and wide, as many as cover its own.
+  virtual std::unique_ptr<ElasticOperator> coarsened(Index factor) const = 0;
   /// The same body on a rectangle of its cells, of this shape or somewhat more: K of pressures that are 0
   /// elsewhere. Its position does not matter: bodies are uniform. Null if it would not save time.
   virtual std::shared_ptr<ElasticOperator> windowed(Shape) { return nullptr; }

@@ -87,7 +87,7 @@ CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, 
   Grid cells = grid;
   for (std::size_t level = 0; level < 2; ++level) {
     const double datum = datum_of_mean(cells, bodies);
-    body = (body ? *body : influence).coarsened();
+    body = (body ? *body : influence).coarsened(2);
     gap = halved(gap, parameters.threads) - datum;
     coarse.start = halved(coarse.start, parameters.threads);
     cells = halved(cells);

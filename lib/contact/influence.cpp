@@ -115,8 +115,20 @@ class HalfSpace final : public ElasticOperator {
   double self_influence() const override { return self_; }
   double setup_seconds() const override { return setup_ + (window_ ? window_->setup_seconds() : 0); }
 
-  std::unique_ptr<ElasticOperator> coarsened() const override {
-    const Grid coarse{{shape().nx / 2, shape().ny / 2}, 2 * grid_.dx, 2 * grid_.dy, grid_.periodic};
+  // (1), for images are too far to vary from cell to cell.
+  Field near_influence(Index reach) override {
+    return Field::NullaryExpr(reach + 1, reach + 1, [&](Index i, Index j) {
+      return love_integral(static_cast<double>(i) * grid_.dx, static_cast<double>(j) * grid_.dy, grid_.dx / 2,
+                           grid_.dy / 2) /
+             (pi * modulus_);
+    });
+  }
+
+  std::unique_ptr<ElasticOperator> coarsened(Index factor) const override {
+    auto covering = [factor](Index n) { return (n + factor - 1) / factor; };
+    const double wide = static_cast<double>(factor);
+    const Grid coarse{
+        {covering(shape().nx), covering(shape().ny)}, wide * grid_.dx, wide * grid_.dy, grid_.periodic};
     return std::make_unique<HalfSpace>(coarse, datum_, modulus_, threads_, work_);
   }
 

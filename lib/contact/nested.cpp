@@ -28,7 +28,7 @@ std::vector<CoarseLevel> coarser_levels(const ContactProblem& problem) {
   std::vector<CoarseLevel> levels;
   for (const ContactProblem* finer = &problem; can_coarsen(shape_of(finer->h));
        finer = &levels.back().problem) {
-    auto body = finer->influence->coarsened();
+    auto body = finer->influence->coarsened(2);
     ContactProblem coarse = coarsened(*finer, *body);
     levels.push_back({std::move(body), std::move(coarse)});
   }

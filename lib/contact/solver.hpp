@@ -18,11 +18,12 @@
 ///           h undeformed gap [m]   Δx, Δy cell [m]   a contact radius [m]
 /// Accuracy  bounds exact, load to 1e-12, ε as requested and confirmed. What the cells leave: Hertz's
 ///           greatest pressure errs by 0.22 (Δx/a)², the approach by 0.05 (Δx/a)².
-/// Cost      10…20 convolutions for smooth bodies at ε = 1e-8, 15…100 for rough ones, more the finer the
-///           grid; two for a contact of a hundred cells; half as many again for the stiffness.
+/// Cost      10…20 convolutions for smooth bodies at ε = 1e-8, 15…35 for rough ones, hardly more on finer
+///           grids; two for a contact of a hundred cells; half as many again for the stiffness.
 ///           Preconditioners and passes over the cells add a half.
 /// Scope     half-spaces and small strains: contact/doubts.hpp says where a result leaves them.
-/// Memory    12 doubles a cell, gap and result included; less where contact is a part of the domain.
+/// Memory    12 doubles a cell, gap and result included, 15 for ragged contacts all over the domain; less
+///           where contact is a part of it.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,9 @@
 #include "contact/stiffness.hpp"
 
+#include <memory>
+
 #include "contact/subspace_cg.hpp"
+#include "core/calibration.hpp"
 
 namespace asperity {
 namespace {
@@ -12,6 +15,14 @@ bool answers_constant(ElasticOperator& body, Shape shape) {
   Field u = Field::Ones(shape.nx, shape.ny);
   body.apply(u, u);
   return u.abs().maxCoeff() > no_answer * body.self_influence();
+}
+
+// Where it pays.
+std::unique_ptr<TwoLevel> two_level_on(const FreeSet& free, ElasticOperator& body, int threads) {
+  if (!TwoLevel::suits(body.shape())) return nullptr;
+  auto out = std::make_unique<TwoLevel>(body, threads);
+  out->set(free.mask);
+  return out->raggedness() > calibration::contact::ragged_for_blocks ? std::move(out) : nullptr;
 }
 
 }  // namespace
@@ -28,11 +39,12 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
   const bool full = free.cells == static_cast<double>(pressure.size());
   const int asked = full ? 1 : 0;
   if (full && !answers_constant(body, shape_of(pressure)))
-    return {.value = infinity, .residual = 0, .convolutions = asked};
+    return {.value = infinity, .residual = 0, .convolutions = static_cast<double>(asked)};
 
   problem.approach = 1;  // of K q
   Trial trial;
-  SubspaceCG cg(problem, free, none, none, trial);
+  const auto two_level = two_level_on(free, body, threads);
+  SubspaceCG cg(problem, free, none, none, trial, two_level.get());
   while (cg.residual().largest > stiffness_tolerance / 2 && asked + cg.applications() < convolutions &&
          cg.step()) {
   }

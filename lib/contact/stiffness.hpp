@@ -18,8 +18,8 @@
 /// Scope     the solution's C: S is a staircase that steps up where a cell joins.
 /// Accuracy  (3): round-off, 1e-10 or so at the residual of 1e-6 that is required. The outline's cells leave
 ///           of Hertz's 2aE* some 0.05 Δx/a, 0.2 Δx/a at most where the contact has 20 cells or more.
-/// Cost      about half the convolutions of the solution, on its window: 5 for smooth spheres, 5…35 for rough
-///           ones, more the sparser the contact and the finer the grid, 8…25 for periodic surfaces.
+/// Cost      about half the convolutions of the solution, on its window: 5 for smooth spheres, up to 16 for
+///           rough ones, 8…25 for periodic surfaces, more the sparser the contact.
 ///
 /// J. R. Barber, Bounds on the electrical resistance between contacting elastic rough bodies,
 /// Proc. R. Soc. Lond. A 459 (2003) 53-66.
@@ -34,7 +34,7 @@ namespace asperity {
 struct Stiffness {
   double value = std::numeric_limits<double>::quiet_NaN();     ///< S [N/m]; NaN where not converged
   double residual = std::numeric_limits<double>::quiet_NaN();  ///< max|1 - u| on C, from a fresh convolution
-  int convolutions = 0, preconditionings = 0;                  ///< on the body's cells
+  double convolutions = 0, preconditionings = 0;               ///< on the body's cells
 };
 
 /// The residual at which S is accepted.

@@ -1,6 +1,9 @@
 #include "contact/subspace_cg.hpp"
 
+#include <limits>
 #include <utility>
+
+#include "core/calibration.hpp"
 
 namespace asperity {
 
@@ -25,11 +28,62 @@ FreeSet::FreeSet(const ContactProblem& problem, const Field& p, const Field& g, 
   gap_sum = sums[1];
 }
 
+namespace {
+
+// Residuals g - δ of free cells and of those that the gap drives off a bound.
+struct Drive {
+  double free = 0, bound = 0, largest_free = 0;  // Σr², Σr², max|r|
+  void operator+=(const Drive& other) {
+    free += other.free;
+    bound += other.bound;
+    largest_free = std::max(largest_free, other.largest_free);
+  }
+};
+
+}  // namespace
+
+void FreeSet::proportion(const ContactProblem& problem, const Field& p, const Field& g, double approach) {
+  using namespace calibration::contact;
+  const Drive drive = problem.blocks().sum([&, cap = problem.cap](Block block) {
+    const auto pb = block.of(p), gb = block.of(g);
+    const auto in_set = block.of(std::as_const(mask));
+    double free = 0, bound = 0, largest = 0;
+#pragma omp simd reduction(+ : free, bound) reduction(max : largest)
+    for (Index i = 0; i < block.size; ++i) {
+      const double r = in_set[i] * (gb[i] - approach);
+      const bool is_free = pb[i] > 0 && pb[i] < cap;
+      free += is_free ? r * r : 0;
+      bound += is_free ? 0 : r * r;
+      largest = std::max(largest, is_free ? std::abs(r) : 0);
+    }
+    return Drive{free, bound, largest};
+  });
+  const bool calm = drive.bound < calm_bounds * calm_bounds * drive.free;
+  const double least = calm ? std::numeric_limits<double>::infinity() : least_drive * drive.largest_free;
+  const Eigen::Array2d sums = problem.blocks().sum([&, cap = problem.cap](Block block) {
+    const auto pb = block.of(p), gb = block.of(g);
+    auto in_set = block.of(mask);
+    double count = 0, gap = 0;
+#pragma omp simd reduction(+ : count, gap)
+    for (Index i = 0; i < block.size; ++i) {
+      const bool is_free = pb[i] > 0 && pb[i] < cap;
+      const bool in = in_set[i] != 0 && (is_free || std::abs(gb[i] - approach) > least);
+      in_set[i] = static_cast<std::int8_t>(in);
+      count += in ? 1.0 : 0.0;
+      gap += in ? gb[i] : 0.0;
+    }
+    return Eigen::Array2d(count, gap);
+  });
+  cells = sums[0];
+  gap_sum = sums[1];
+}
+
 SubspaceCG::SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g,
-                       Trial& trial)
+                       Trial& trial, TwoLevel* two_level)
     : problem_(problem),
       free_(free),
       trial_(trial),
+      two_level_(two_level),
       mean_gap_(problem.approach ? *problem.approach : mean(free.gap_sum)) {
   for (Field* field : {&trial_.p, &trial_.g, &trial_.d, &trial_.q}) field->resize(p.rows(), p.cols());
   residual_ = problem_.blocks().sum([&](Block b) {
@@ -59,9 +113,10 @@ SubspaceResidual SubspaceCG::residual(Block b) {
 
 bool SubspaceCG::step() {
   ++applications_;
-  problem_.influence->precondition(trial_.q, trial_.q);
+  precondition();
   const auto [zr, sum_z] = sums_of_z();
-  turn(mean(sum_z), steps_ > 0 ? zr / zr_old_ : 0);
+  turn(mean(sum_z), steps_ > 0 ? std::max(0.0, zr - product_before()) / zr_old_ : 0);
+  if (two_level_ != nullptr) std::swap(trial_.before, trial_.spare);
   problem_.influence->apply(trial_.d, trial_.q);
   const auto [curvature, sum_q] = sums_of_q();
   if (!(curvature > 0 && zr > 0)) return false;
@@ -69,6 +124,18 @@ bool SubspaceCG::step() {
   advance(zr / curvature, mean(sum_q));
   ++steps_;
   return true;
+}
+
+// z in the place of r, which B leaves in `spare`.
+void SubspaceCG::precondition() {
+  if (two_level_ == nullptr) return problem_.influence->precondition(trial_.q, trial_.q);
+  two_level_->apply(trial_.q, trial_.spare);
+  std::swap(trial_.q, trial_.spare);
+}
+
+double SubspaceCG::product_before() const {
+  if (two_level_ == nullptr) return 0;
+  return problem_.blocks().sum([&](Block b) { return (b.of(trial_.q) * b.of(trial_.before)).sum(); });
 }
 
 SubspaceCG::Sums SubspaceCG::sums_of_z() const {

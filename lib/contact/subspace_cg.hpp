@@ -5,10 +5,13 @@
 ///     z = P_F M r,   β = z·r / (z·r)_old,   d = z + β d,                                        (2)
 ///     q = K d,   a = z·r / d·q,   p += a d,   g += a q,   r = P_F (r - a q).
 /// Σp stays as it is, and δ is never an unknown. Under a given approach δ takes the place of mean_F(g), and
-/// P_F only masks. M is linear and F stands, so that β is Fletcher's and Reeves's.
+/// P_F only masks. M is linear and F stands, so that β is Fletcher's and Reeves's. In the place of M may be
+/// B of contact/two_level.hpp, which varies a little: then β = max(0, z·(r - r_old) / (z·r)_old), Polak's and
+/// Ribière's.
 ///
 /// Cost: an application of K, one of M, and four passes a step, a third of the operators' time.
-/// Memory: four fields and a mask; r, z and q are never wanted at once and share one, r following from g.
+/// Memory: four fields and a mask; r, z and q are never wanted at once and share one, r following from g. Two
+/// more with B.
 ///
 /// I. A. Polonsky, L. M. Keer, A numerical method for solving rough contact problems based on the multi-level
 /// multi-summation and conjugate gradient techniques, Wear 231 (1999) 206-219; E. A. H. Vollebregt, The
@@ -22,6 +25,7 @@
 #include <vector>
 
 #include "contact/problem.hpp"
+#include "contact/two_level.hpp"
 
 namespace asperity {
 
@@ -29,16 +33,21 @@ namespace asperity {
 struct FreeSet {
   FreeSet(const ContactProblem& problem, const Field& p, const Field& g, double approach);
 
+  /// Takes cells on a bound out again unless |g - δ| is above 0.3 of the largest of the free cells; all of
+  /// them while the root of Σ(g - δ)² over them is below 0.01 of that over the free cells.
+  void proportion(const ContactProblem& problem, const Field& p, const Field& g, double approach);
+
   std::vector<std::int8_t> mask;
   double cells = 0, gap_sum = 0;  ///< Σ g over F [m]
 };
 
 /// A pressure, its gap, a direction and the direction's displacement.
 struct Trial {
-  Field p;  ///< [Pa]
-  Field g;  ///< h + K p [m]
-  Field d;  ///< [Pa]
-  Field q;  ///< K d [m]; M r between
+  Field p;                        ///< [Pa]
+  Field g;                        ///< h + K p [m]
+  Field d;                        ///< [Pa]
+  Field q;                        ///< K d [m]; r and M r between
+  Field before = {}, spare = {};  ///< r of the step before, and room for r and B r; empty where M serves
 };
 
 /// r of all cells or some.
@@ -55,15 +64,19 @@ struct SubspaceResidual {
 class SubspaceCG {
  public:
   /// Starts from p and g = h + K p. The iterate is p and g of `trial`, whose fields are worked in.
-  SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g,
-             Trial& trial);
+  /// Preconditioned by M, or by `two_level`, which has been set to F.
+  SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g, Trial& trial,
+             TwoLevel* two_level = nullptr);
 
   /// (2). False, and p and g are as before, when the curvature along d or z·r is not positive.
   bool step();
 
   int steps() const { return steps_; }
-  /// Of K, and as many of M: a step that is refused has taken them too.
-  int applications() const { return applications_; }
+  /// Of K, and as many of M, coarse ones by their share: a step that is refused has taken them too.
+  double applications() const {
+    return applications_ + (two_level_ != nullptr ? two_level_->coarse_applications() : 0);
+  }
+  double level() const { return mean_gap_; }  ///< mean of g over F, or the given δ [m]
   const SubspaceResidual& residual() const { return residual_; }
   /// Whether a pressure is out of its bounds.
   bool out_of_bounds() const;
@@ -78,8 +91,10 @@ class SubspaceCG {
     double product = 0, sum = 0;
     void operator+=(const Sums& other) { product += other.product, sum += other.sum; }
   };
-  Sums sums_of_z() const;  ///< z·r
-  Sums sums_of_q() const;  ///< d·q
+  void precondition();
+  double product_before() const;  ///< z·r_old
+  Sums sums_of_z() const;         ///< z·r
+  Sums sums_of_q() const;         ///< d·q
   SubspaceResidual residual(Block b);
   void turn(double mean_z, double beta);
   void advance(double a, double mean_q);
@@ -87,6 +102,7 @@ class SubspaceCG {
   const ContactProblem& problem_;
   const FreeSet& free_;
   Trial& trial_;
+  TwoLevel* two_level_;
   double mean_gap_, zr_old_ = 1;
   SubspaceResidual residual_;
   int steps_ = 0, applications_ = 0;

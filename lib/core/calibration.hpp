@@ -58,6 +58,21 @@ inline constexpr double divergence = 1e3;      ///< of |r| over its smallest: ro
 inline constexpr int updates_of_gap = 50;      ///< by recurrence, before g is recomputed
 inline constexpr double far_from_datum = 100;  ///< displacements: round-off of g is then 1e-14 of these
 
+// Ragged free sets on fine grids. Convolutions of eight contacts to ε = 1e-8, 178 in total: scenes B and B2
+// at 512² and 1024², C10 at 512², three periodic self-affine surfaces of H = 0.8 at 512².
+inline constexpr Index fine_cells = 128 * 128;
+// TwoLevel::raggedness(); smooth spheres have 0.9, scene B has 4…16. For blocks 3: 178, but longer times
+// where no wave is shorter than 30 cells.
+inline constexpr double ragged_to_relax = 3;     ///< 2: 177, 5: 188
+inline constexpr double ragged_for_blocks = 5;   ///< 8: 188
+inline constexpr double ragged_reduction = 0.1;  ///< in place of `reduction`; 0.03: 192, 0.25: 187
+inline constexpr double least_drive = 0.3;       ///< of FreeSet::proportion; 0: 184, 0.1: 180, 0.6: 181
+inline constexpr double calm_bounds = 0.01;      ///< likewise; 0: 181
+inline constexpr double block_tolerance = 1e-2;  ///< 1e-3: 181, 0.1: 179
+inline constexpr int block_steps = 10;
+inline constexpr double held_load = 4;  ///< β of contact/relaxation.hpp over K_R; 2: 191, 8: 189
+inline constexpr int sweeps_of_guarded_step = 4, sweeps_of_step = 6;  ///< of the former 2: 186, 6: 180
+
 // Projected gradients.
 inline constexpr double sufficient_decrease = 1e-4;  ///< Armijo's fraction
 inline constexpr double first_step = 0.5;            ///< α K₀₀; 0.25 and 1: 405

@@ -137,7 +137,7 @@ TEST_CASE("the periodic preconditioner is the inverse on pressures of zero sum",
 TEST_CASE("coarsening an influence equals making it on the coarse cells", "[influence][exact]") {
   for (bool periodic : {false, true}) {
     const Grid fine = oblong({24, 40}, periodic), coarse{{12, 20}, 2 * fine.dx, 2 * fine.dy, periodic};
-    const auto derived = make_influence(fine, modulus)->coarsened(), made = make_influence(coarse, modulus);
+    const auto derived = make_influence(fine, modulus)->coarsened(2), made = make_influence(coarse, modulus);
     const Field p = random_field(coarse.shape, 5);
     CHECK((applied(*derived, p) - applied(*made, p)).abs().maxCoeff() <=
           16 * epsilon * made->self_influence() * p.abs().sum());

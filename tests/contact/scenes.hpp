@@ -52,6 +52,18 @@ inline Field random_waves(Shape shape, unsigned seed) {
   return z / std::sqrt(z.square().mean());
 }
 
+/// Gaussian heights that decay exponentially along both axes, by 1/e in so many cells: new asperities on every
+/// finer grid. Unit rms.
+inline Field exponential_heights(Shape shape, double length, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  const double a = std::exp(-1 / length), b = std::sqrt(1 - a * a);
+  Field z = Field::NullaryExpr(shape.nx, shape.ny, [&](Index, Index) { return normal(generator); });
+  for (Index i = 1; i < shape.nx; ++i) z.row(i) = a * z.row(i - 1) + b * z.row(i);
+  for (Index j = 1; j < shape.ny; ++j) z.col(j) = a * z.col(j - 1) + b * z.col(j);
+  return z;
+}
+
 /// "name: words" of what refuses a call, or nothing.
 template <class Call>
 std::string refusal(Call call) try {

@@ -15,8 +15,8 @@ class Whole final : public ElasticOperator {
   void apply(const Field& p, Field& u) override { body_->apply(p, u); }
   void precondition(const Field& r, Field& z) override { body_->precondition(r, z); }
   double self_influence() const override { return body_->self_influence(); }
-  std::unique_ptr<ElasticOperator> coarsened() const override {
-    return std::make_unique<Whole>(body_->coarsened());
+  std::unique_ptr<ElasticOperator> coarsened(Index factor) const override {
+    return std::make_unique<Whole>(body_->coarsened(factor));
   }
 
  private:

@@ -32,8 +32,8 @@ The exponent of seconds against N² log N, fitted from N = 256 on:
 END
 table scaling-2
 text <<'END'
-The methods promise an exponent of one; slower memory explains what exceeds it. Rough contacts are the exception: an exponential
-autocorrelation has more and smaller asperities on each finer grid, which need more convolutions. The `transforms` of nearly every
+The methods promise an exponent of one; slower memory explains what exceeds it. Rough contacts need a few convolutions more on
+each finer grid, for an exponential autocorrelation shows more and smaller asperities there. The `transforms` of nearly every
 other stage fall with N, because a plain transform of (2N)² points exceeds the cache between N = 256 and 1024. The stages skip the
 padding and work in blocks, so they exceed it later and in smaller pieces.
 

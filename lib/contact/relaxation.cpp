@@ -1,0 +1,129 @@
+#include "contact/relaxation.hpp"
+
+#include <algorithm>
+
+#include "contact/blocks.hpp"
+#include "core/calibration.hpp"
+
+namespace asperity {
+namespace {
+constexpr Index block = Relaxation::block, reach = Relaxation::reach;
+
+Index blocks_along(Index cells) { return (cells + block - 1) / block; }
+
+// Every eighth cell of a row is of a class. In rows of p and g the classes follow each other; in those of d
+// each has a 0 before and behind it.
+struct Classes {
+  explicit Classes(Index row) : cells(row) {}
+
+  Index count(Index c) const { return blocks_along(cells - c); }
+  Index begin(Index c) const { return c * (cells / block) + std::min(c, cells % block); }
+  Index stride() const { return blocks_along(cells) + 2; }
+  /// Of the cells c + 8k in a row of d, -8 ≤ c < 16.
+  Index padded(Index c) const {
+    const Index turns = c < 0 ? -1 : c / block;
+    return (c - turns * block) * stride() + 1 + turns;
+  }
+
+  Index cells;
+};
+
+// Rows from cells to classes, or back.
+void reorder(Field& f, bool back, int threads) {
+  const Classes classes(f.cols());
+  parallel_ranges(f.rows(), threads, [&](Index first, Index last, int) {
+    Eigen::ArrayXd row(f.cols());
+    for (Index i = first; i < last; ++i) {
+      row = f.row(i).transpose();
+      for (Index c = 0; c < block; ++c) {
+        double* of_class = &f(i, 0) + (back ? c : classes.begin(c));
+        const double* from = row.data() + (back ? classes.begin(c) : c);
+        for (Index k = 0; k < classes.count(c); ++k)
+          of_class[back ? block * k : k] = from[back ? k : block * k];
+      }
+    }
+  });
+}
+
+}  // namespace
+
+Relaxation::Relaxation(ElasticOperator& body, int threads)
+    : threads_(useful_threads(body.shape().cells(), threads)) {
+  const Field k = body.near_influence(reach + 1);
+  const double edge = std::max(k(reach + 1, 0), k(0, reach + 1));
+  for (Index i = 0; i <= reach; ++i)
+    for (Index j = 0; j <= reach; ++j) near_[size(i)][size(j)] = std::max(0.0, k(i, j) - edge);
+  held_ = calibration::contact::held_load * edge;
+}
+
+// Of rows forth and back.
+struct Relaxation::Sweeps {
+  const Relaxation& model;
+  Field &p, &d, &loads;
+  const Field& g;
+  double approach, cap;
+  Classes classes{p.cols()};
+  Eigen::ArrayXd beside{d.cols()}, next{d.cols()};  // d summed over the two rows beside one, and the next two
+
+  void forth(Index first, Index last) {
+    for (Index i = first; i < last; ++i) {
+      sum_rows(i);
+      for (Index c = 0; c < block; ++c) relax(i, c);
+    }
+  }
+
+  void back(Index first, Index last) {
+    for (Index i = last - 1; i >= first; --i) {
+      sum_rows(i);
+      for (Index c = block - 1; c >= 0; --c) relax(i, c);
+    }
+  }
+
+  void sum_rows(Index i) {
+    beside = (d.row(i + reach - 1) + d.row(i + reach + 1)).transpose();
+    next = (d.row(i + reach - 2) + d.row(i + reach + 2)).transpose();
+  }
+
+  // (3) for the cells of a class.
+  void relax(Index i, Index c) {
+    double *pressure = &p(i, classes.begin(c)), *load = &loads(i / block, 0), *row = &d(i + reach, 0);
+    const double *gap = &g(i, classes.begin(c)), *row1 = beside.data(), *row2 = next.data();
+    const auto [k00, k01, k02] = model.near_[0];
+    const auto [k10, k11, k12] = model.near_[1];
+    const auto [k20, k21, k22] = model.near_[2];
+    const double held = model.held_, inverse = 1 / (k00 + held), level = approach, limit = cap;
+    const Index count = classes.count(c), at = classes.padded(c), l1 = classes.padded(c - 1),
+                l2 = classes.padded(c - 2), r1 = classes.padded(c + 1), r2 = classes.padded(c + 2);
+#pragma omp simd
+    for (Index k = 0; k < count; ++k) {
+      const double force = gap[k] - level + held * load[k] + k00 * row[at + k] +
+                           k01 * (row[l1 + k] + row[r1 + k]) + k02 * (row[l2 + k] + row[r2 + k]) +
+                           k10 * row1[at + k] + k11 * (row1[l1 + k] + row1[r1 + k]) +
+                           k12 * (row1[l2 + k] + row1[r2 + k]) + k20 * row2[at + k] +
+                           k21 * (row2[l1 + k] + row2[r1 + k]) + k22 * (row2[l2 + k] + row2[r2 + k]);
+      const double was = pressure[k], relaxed = std::min(limit, std::max(0.0, was - inverse * force));
+      pressure[k] = relaxed;
+      row[at + k] += relaxed - was;
+      load[k] += relaxed - was;
+    }
+  }
+};
+
+void Relaxation::relax(Field& p, Field& g, double approach, double cap, int sweeps) {
+  const Index rows = p.rows(), strips = (rows + strip - 1) / strip;
+  d_ = Field::Zero(rows + 2 * reach, block * Classes(p.cols()).stride());
+  loads_ = Field::Zero(blocks_along(rows), blocks_along(p.cols()));
+  for (Field* field : {&p, &g}) reorder(*field, false, threads_);
+  for (Index kind = 0; kind < sweeps; ++kind)  // even strips, odd strips
+    parallel_ranges((strips + 1 - kind % 2) / 2, threads_, [&](Index begin, Index end, int) {
+      Sweeps both{*this, p, d_, loads_, g, approach, cap};
+      for (Index k = begin; k < end; ++k) {
+        const Index first = (2 * k + kind % 2) * strip, last = std::min(first + strip, rows);
+        both.forth(first, last);
+        both.back(first, last);
+      }
+    });
+  reorder(p, true, threads_);
+}
+
+}  // namespace asperity
