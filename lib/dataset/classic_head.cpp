@@ -9,6 +9,7 @@
 #include "dataset/big_endian.hpp"
 #include "dataset/bytes.hpp"
 #include "dataset/classic_types.hpp"
+#include "dataset/unread.hpp"
 
 namespace asperity {
 namespace {
@@ -102,10 +103,6 @@ Values list_of(std::uint32_t type) {
     return std::variant_alternative_t<alternative, Values>();
   else
     return list_of<alternative + 1>(type);
-}
-
-std::size_t element_size(const Values& list) {
-  return std::visit([]<class List>(const List&) { return sizeof(typename List::value_type); }, list);
 }
 
 Values take_values(Reader& reader) {

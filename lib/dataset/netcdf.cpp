@@ -162,16 +162,14 @@ Dataset open_netcdf(Bytes bytes, const MemoryBound& memory) {
   return settled(std::move(out));
 }
 
-NetcdfFile::NetcdfFile(const std::string& path, const MemoryBound& memory) {
-  MemoryBound left = memory;
-  in_file_ = in_file(path, left, false);
-  dataset_ = in_file_;
+NetcdfFile::NetcdfFile(const std::string& path, MemoryBound memory)
+    : in_file_(in_file(path, memory, false)), dataset_(in_file_) {
   for (Variable& v : dataset_.variables)
     if (on_both_axes(v)) {
       std::visit([](auto& values) { values = {}; }, v.values);
       v.unread.reset();
     }
-  require_room(in_file_, left, [](const Variable& v) { return !on_both_axes(v); });
+  require_room(in_file_, memory, [](const Variable& v) { return !on_both_axes(v); });
   load(dataset_);
   dataset_ = with_plain_values(std::move(dataset_));
 }

@@ -63,7 +63,7 @@ Dataset open_netcdf(Bytes bytes, const MemoryBound& memory = {});
 class NetcdfFile {
  public:
   /// Reads everything else; throws DataError like decode_netcdf.
-  explicit NetcdfFile(const std::string& path, const MemoryBound& memory = {});
+  explicit NetcdfFile(const std::string& path, MemoryBound memory = {});
 
   const Dataset& dataset() const { return dataset_; }
   /// The values of a variable at `count` indices of the dimension `along`, starting at `first`.

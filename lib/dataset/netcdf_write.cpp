@@ -13,10 +13,6 @@ namespace {
 
 using namespace classic;
 
-std::size_t element_size(const Values& values) {
-  return std::visit([]<class V>(const V&) { return sizeof(typename V::value_type); }, values);
-}
-
 std::size_t places_of(const Dataset& dataset, const Variable& variable) {
   std::size_t places = 1;
   for (const std::string& name : variable.dimensions) {

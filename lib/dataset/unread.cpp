@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <system_error>
+#include <type_traits>
 #include <unistd.h>
 #include <utility>
 
@@ -99,40 +100,40 @@ std::size_t count(const Variable& variable) {
   return variable.unread ? variable.unread->count : count(variable.values);
 }
 
+std::size_t element_size(const Values& values) {
+  return std::visit([](const auto& list) { return sizeof(list[0]); }, values);
+}
+
 std::size_t size_in_memory(const Variable& variable) {
-  return std::visit(
-      [&]<class List>(const List&) { return count(variable) * sizeof(typename List::value_type); },
-      variable.values);
+  return count(variable) * element_size(variable.values);
 }
 
 Values values_of(const Variable& variable, std::size_t first, std::size_t count) {
-  return std::visit(
-      [&]<class List>(const List& all) -> Values {
-        if (!variable.unread) {
-          const auto at = all.begin() + static_cast<std::ptrdiff_t>(first);
-          return List(at, at + static_cast<std::ptrdiff_t>(count));
-        }
-        auto out = room_for<List>(count);
-        read_into(out, *variable.unread, first);
-        return out;
-      },
-      variable.values);
+  const auto part = [&](const auto& all) {
+    using List = std::decay_t<decltype(all)>;
+    if (!variable.unread) {
+      const auto at = all.begin() + static_cast<std::ptrdiff_t>(first);
+      return Values(List(at, at + static_cast<std::ptrdiff_t>(count)));
+    }
+    auto out = room_for<List>(count);
+    read_into(out, *variable.unread, first);
+    return Values(std::move(out));
+  };
+  return std::visit(part, variable.values);
 }
 
 void in_pieces(const Variable& variable, const std::function<void(const Values&)>& take) {
   if (!variable.unread) return take(variable.values);
-  const std::size_t all = count(variable);
-  std::visit(
-      [&]<class List>(const List&) {
-        Values buffer = List();
-        List& list = std::get<List>(buffer);
-        for (std::size_t done = 0; done < all; done += list.size()) {
-          list.resize(std::min(piece / sizeof(typename List::value_type), all - done));
-          read_into(list, *variable.unread, done);
-          take(buffer);
-        }
-      },
-      variable.values);
+  const std::size_t all = count(variable), most = piece / element_size(variable.values);
+  Values buffer = variable.values;
+  const auto each = [&](auto& list) {
+    for (std::size_t done = 0; done < all; done += list.size()) {
+      list.resize(std::min(most, all - done));
+      read_into(list, *variable.unread, done);
+      take(buffer);
+    }
+  };
+  std::visit(each, buffer);
 }
 
 void load(Variable& variable) {

@@ -44,8 +44,9 @@ struct Unread {
   void read(std::uint64_t first, std::span<char> to) const;
 };
 
-/// Number of values, read or not, and of their bytes.
+/// Number of values, read or not, and bytes of one and of all.
 std::size_t count(const Variable& variable);
+std::size_t element_size(const Values& values);
 std::size_t size_in_memory(const Variable& variable);
 
 /// `count` of the values from `first` on.
