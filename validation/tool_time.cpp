@@ -80,7 +80,7 @@ Cost fastest_run(const Words& words) {
 struct Work {
   std::string name;
   Words tool;
-  std::function<void(const Surface&)> library;
+  std::function<void(const Surface&)> alone;
 };
 
 void height_errors(const Surface& surface) {
@@ -142,7 +142,7 @@ void print(Index n, const std::string& folder) {
   const Surface surface = surface_in(file);
   const double field = static_cast<double>(n * n) * sizeof(double) / 1e6;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const double library = all[k].library ? seconds_of([&] { all[k].library(surface); }) : NAN;
+    const double library = all[k].alone ? seconds_of([&] { all[k].alone(surface); }) : NAN;
     fmt::print("{}\t{}\t{:.2g}\t{:.2g}\t{:.2g}\t{:.2g}\n", all[k].name, n, tools[k].seconds, library,
                tools[k].seconds / library, (tools[k].megabytes - tools[0].megabytes) / field);
     std::fflush(stdout);

@@ -7,25 +7,31 @@
 
 namespace asperity {
 
-FreeSet::FreeSet(const ContactProblem& problem, const Field& p, const Field& g, double approach)
-    : mask(static_cast<std::size_t>(p.size())) {
-  const Eigen::Array2d sums = problem.blocks().sum([&, cap = problem.cap](Block block) {
+template <class In>
+void FreeSet::choose(const ContactProblem& problem, const Field& p, const Field& g, In in) {
+  const Eigen::Array2d sums = problem.blocks().sum([&](Block block) {
     const auto pb = block.of(p), gb = block.of(g);
     auto in_set = block.of(mask);
     double count = 0, gap = 0;
 #pragma omp simd reduction(+ : count, gap)
     for (Index i = 0; i < block.size; ++i) {
-      const bool pushed = gb[i] < approach;
-      const bool pulled = gb[i] > approach;
-      const bool in = pb[i] <= 0 ? pushed : pb[i] < cap || pulled;
-      in_set[i] = static_cast<std::int8_t>(in);
-      count += in ? 1.0 : 0.0;
-      gap += in ? gb[i] : 0.0;
+      const bool chosen = in(pb[i], gb[i], in_set[i] != 0);
+      in_set[i] = static_cast<std::int8_t>(chosen);
+      count += chosen ? 1.0 : 0.0;
+      gap += chosen ? gb[i] : 0.0;
     }
     return Eigen::Array2d(count, gap);
   });
   cells = sums[0];
   gap_sum = sums[1];
+}
+
+FreeSet::FreeSet(const ContactProblem& problem, const Field& p, const Field& g, double approach)
+    : mask(static_cast<std::size_t>(p.size())) {
+  choose(problem, p, g, [approach, cap = problem.cap](double pressure, double gap, bool) {
+    const bool pushed = gap<approach, pulled = gap> approach;
+    return pressure <= 0 ? pushed : pressure < cap || pulled;
+  });
 }
 
 namespace {
@@ -60,22 +66,10 @@ void FreeSet::proportion(const ContactProblem& problem, const Field& p, const Fi
   });
   const bool calm = drive.bound < calm_bounds * calm_bounds * drive.free;
   const double least = calm ? std::numeric_limits<double>::infinity() : least_drive * drive.largest_free;
-  const Eigen::Array2d sums = problem.blocks().sum([&, cap = problem.cap](Block block) {
-    const auto pb = block.of(p), gb = block.of(g);
-    auto in_set = block.of(mask);
-    double count = 0, gap = 0;
-#pragma omp simd reduction(+ : count, gap)
-    for (Index i = 0; i < block.size; ++i) {
-      const bool is_free = pb[i] > 0 && pb[i] < cap;
-      const bool in = in_set[i] != 0 && (is_free || std::abs(gb[i] - approach) > least);
-      in_set[i] = static_cast<std::int8_t>(in);
-      count += in ? 1.0 : 0.0;
-      gap += in ? gb[i] : 0.0;
-    }
-    return Eigen::Array2d(count, gap);
+  choose(problem, p, g, [approach, least, cap = problem.cap](double pressure, double gap, bool in) {
+    const bool is_free = pressure > 0 && pressure < cap;
+    return in && (is_free || std::abs(gap - approach) > least);
   });
-  cells = sums[0];
-  gap_sum = sums[1];
 }
 
 SubspaceCG::SubspaceCG(const ContactProblem& problem, const FreeSet& free, const Field& p, const Field& g,

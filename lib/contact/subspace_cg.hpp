@@ -39,6 +39,11 @@ struct FreeSet {
 
   std::vector<std::int8_t> mask;
   double cells = 0, gap_sum = 0;  ///< Σ g over F [m]
+
+ private:
+  /// Puts a cell in where in(p, g, was in).
+  template <class In>
+  void choose(const ContactProblem& problem, const Field& p, const Field& g, In in);
 };
 
 /// A pressure, its gap, a direction and the direction's displacement.

@@ -5,17 +5,12 @@
 
 #include "core/error.hpp"
 #include "holes.hpp"
+#include "named.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-const Parameter& named(const Parameters& parameters, const std::string& name) {
-  const auto found = std::ranges::find(parameters, name, &Parameter::name);
-  REQUIRE(found != parameters.end());
-  return *found;
-}
 
 Surface surface_of(const Field& z) { return {.grid = grid(z.rows(), z.cols()), .heights = z}; }
 

@@ -3,6 +3,7 @@
 
 #include "fields.hpp"
 #include "holes.hpp"
+#include "named.hpp"
 #include "stats/measure.hpp"
 #include "stats/twins/twin_errors.hpp"
 
@@ -10,12 +11,6 @@ using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-const Parameter& named(const Parameters& parameters, const std::string& name) {
-  const auto found = std::ranges::find(parameters, name, &Parameter::name);
-  REQUIRE(found != parameters.end());
-  return *found;
-}
 
 Parameters measured(const Field& z, Group group, int degree = 0) {
   return measure({.grid = grid(z.rows(), z.cols()), .heights = z},
