@@ -11,6 +11,7 @@ find_package(pugixml REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW3 REQUIRED IMPORTED_TARGET fftw3>=3.3.10)  # its Debian package has no CMake config
+pkg_check_modules(FFTW3F REQUIRED IMPORTED_TARGET fftw3f>=3.3.10)  # the same in single precision
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf>=4.9)
 pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip>=1.7)  # its CMake config needs tools that the package does not install
 pkg_check_modules(LIBMD REQUIRED IMPORTED_TARGET libmd)

@@ -102,7 +102,8 @@ struct Line {
 Line line_to_trial(Iteration& x) {
   Trial& trial = x.trial;
   trial.d = trial.p - x.p;
-  x.apply(trial.d, trial.q);
+  ++x.convolutions;
+  x.problem.influence->apply_single(trial.d, trial.q);
   const Eigen::Array2d sums = x.problem.blocks().sum([&](Block b) {
     const auto d = b.of(trial.d);
     return Eigen::Array2d(((b.of(x.g) - x.residual.approach) * d).sum(), (d * b.of(trial.q)).sum());
@@ -157,7 +158,7 @@ int guarded_step(Iteration& x, double level) {
   const auto [slope, curvature] = line_to_trial(x);
   if (slope < 0 && slope + curvature / 2 <= sufficient_decrease * slope) return move(x, 1), 0;
   if (slope < 0 && curvature > 0) move(x, Line{slope, curvature}.lowest());
-  x.relax_next = x.relaxation != nullptr;
+  x.relax_next = x.is_ragged(ragged_to_relax);
   return x.relax_next ? 0 : steps_after_cut;
 }
 

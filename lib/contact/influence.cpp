@@ -97,8 +97,6 @@ double self_influence_of(const Grid& grid, double datum, double modulus) {
   return integral / (pi * modulus);
 }
 
-using WorkSpace = std::shared_ptr<HalfSpectrum>;
-
 class HalfSpace final : public ElasticOperator {
  public:
   HalfSpace(const Grid& grid, double datum, double modulus, int threads, WorkSpace work)
@@ -111,6 +109,10 @@ class HalfSpace final : public ElasticOperator {
 
   Shape shape() const override { return grid_.shape; }
   void apply(const Field& p, Field& u) override { made(influence_, &HalfSpace::influence).apply(p, u); }
+  void apply_single(const Field& p, Field& u) override {
+    if (shape().cells() < calibration::contact::single_cells) return apply(p, u);
+    made(single_, &HalfSpace::single).apply(p, u);
+  }
   void precondition(const Field& r, Field& z) override { made(inverse_, &HalfSpace::inverse).apply(r, z); }
   double self_influence() const override { return self_; }
   double setup_seconds() const override { return setup_ + (window_ ? window_->setup_seconds() : 0); }
@@ -156,7 +158,8 @@ class HalfSpace final : public ElasticOperator {
   }
 
  private:
-  using Convolution = std::unique_ptr<EvenConvolution>;
+  template <class Real>
+  using Convolution = std::unique_ptr<BasicEvenConvolution<Real>>;
 
   static bool covers(Shape a, Shape b) { return a.nx >= b.nx && a.ny >= b.ny; }
 
@@ -171,7 +174,8 @@ class HalfSpace final : public ElasticOperator {
                                 : love_symbol(grid_, torus, modulus_, threads_);
   }
 
-  EvenConvolution& made(Convolution& convolution, Convolution (HalfSpace::*make)() const) {
+  template <class Real>
+  BasicEvenConvolution<Real>& made(Convolution<Real>& convolution, Convolution<Real> (HalfSpace::*make)()) {
     if (!convolution) {
       const Stopwatch watch;
       convolution = (this->*make)();
@@ -180,32 +184,39 @@ class HalfSpace final : public ElasticOperator {
     return *convolution;
   }
 
-  Convolution convolution(Shape torus, const Field& symbol) const {
-    return std::make_unique<EvenConvolution>(shape(), torus, symbol, threads_, work_);
+  template <class Real>
+  Convolution<Real> convolution(Shape torus, const Field& symbol) const {
+    return std::make_unique<BasicEvenConvolution<Real>>(shape(), torus, symbol, threads_, work_);
   }
 
-  Convolution influence() const {
+  Convolution<double> influence() {
     if (grid_.periodic.both()) {
       const Field q = wave_numbers(grid_);
-      return convolution(shape(), (q > 0).select(2 / (modulus_ * q), 0));
+      return convolution<double>(shape(), (q > 0).select(2 / (modulus_ * q), 0));
     }
     const Shape torus = torus_for(shape());
-    return convolution(torus, symbol(torus));
+    return convolution<double>(torus, symbol(torus));
+  }
+
+  Convolution<float> single() {
+    if (!influence_) influence_ = influence();
+    return std::make_unique<BasicEvenConvolution<float>>(*influence_);
   }
 
   // Love's symbol is positive, above half of K₀₀ on square cells; the bound keeps M definite on any others.
-  Convolution inverse() const {
-    if (grid_.periodic.both()) return convolution(shape(), modulus_ / 2 * wave_numbers(grid_));
+  Convolution<float> inverse() {
+    if (grid_.periodic.both()) return convolution<float>(shape(), modulus_ / 2 * wave_numbers(grid_));
     const Shape torus{grid_.periodic.x ? shape().nx : fast_length(shape().nx, 2),
                       grid_.periodic.y ? shape().ny : fast_length(shape().ny, 2)};
-    return convolution(torus, symbol(torus).max(1e-3 * self_).inverse());
+    return convolution<float>(torus, symbol(torus).max(1e-3 * self_).inverse());
   }
 
   Grid grid_;
   double datum_, modulus_, self_;
   int threads_;
   WorkSpace work_;
-  Convolution influence_, inverse_;
+  Convolution<double> influence_;
+  Convolution<float> single_, inverse_;
   std::shared_ptr<HalfSpace> window_;
   double setup_ = 0;
 };
@@ -227,7 +238,7 @@ double displacement_datum(const Grid& grid) {
 
 std::unique_ptr<ElasticOperator> make_influence(const Grid& grid, double composite_modulus, int threads) {
   return std::make_unique<HalfSpace>(grid, displacement_datum(grid), composite_modulus, threads,
-                                     std::make_shared<HalfSpectrum>());
+                                     std::make_shared<WorkSpace::element_type>());
 }
 
 }  // namespace asperity

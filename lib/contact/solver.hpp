@@ -84,11 +84,11 @@ struct Contact {
   double stiffness = std::numeric_limits<double>::quiet_NaN();
   double stiffness_residual = std::numeric_limits<double>::quiet_NaN();
 
-  bool converged = false;   ///< the pressure; a stiffness that has not is NaN
-  std::string reason;       ///< why it ended
-  double residual = 0;      ///< ε, from a fresh convolution
-  double load_residual = 0;    ///< |Σ p ΔxΔy / Q - 1|; 0 where the approach is given
-  double convolutions = 0;  ///< applications of K; on windows and coarser grids by their share of the cells
+  bool converged = false;    ///< the pressure; a stiffness that has not is NaN
+  std::string reason;        ///< why it ended
+  double residual = 0;       ///< ε, from a fresh convolution
+  double load_residual = 0;  ///< |Σ p ΔxΔy / Q - 1|; 0 where the approach is given
+  double convolutions = 0;   ///< applications of K; on windows and coarser grids by their share of the cells
   double preconditionings = 0;  ///< applications of M, counted alike
   int levels = 1;               ///< grids, the finest included
   double setup_seconds = 0;     ///< influence coefficients and plans

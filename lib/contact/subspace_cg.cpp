@@ -111,7 +111,7 @@ bool SubspaceCG::step() {
   const auto [zr, sum_z] = sums_of_z();
   turn(mean(sum_z), steps_ > 0 ? std::max(0.0, zr - product_before()) / zr_old_ : 0);
   if (two_level_ != nullptr) std::swap(trial_.before, trial_.spare);
-  problem_.influence->apply(trial_.d, trial_.q);
+  problem_.influence->apply_single(trial_.d, trial_.q);
   const auto [curvature, sum_q] = sums_of_q();
   if (!(curvature > 0 && zr > 0)) return false;
   zr_old_ = zr;

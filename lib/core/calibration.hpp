@@ -53,10 +53,11 @@ namespace asperity::calibration::contact {
 inline constexpr double reduction =
     0.25;                            ///< of |r|, before violations are counted; 0.1: 413, 0.5: 407, 0.9: 470
 inline constexpr double goal = 0.9;  ///< of the tolerance, for max|r|; 0.5: 407
-inline constexpr int subspace_steps = 200;     ///< at most
-inline constexpr double divergence = 1e3;      ///< of |r| over its smallest: round-off grows (tests/contact)
-inline constexpr int updates_of_gap = 50;      ///< by recurrence, before g is recomputed
-inline constexpr double far_from_datum = 100;  ///< displacements: round-off of g is then 1e-14 of these
+inline constexpr int subspace_steps = 200;      ///< at most
+inline constexpr double divergence = 1e3;       ///< of |r| over its smallest: round-off grows (tests/contact)
+inline constexpr Index single_cells = 1 << 16;  ///< from which single precision pays
+inline constexpr int updates_of_gap = 50;       ///< by recurrence, before g is recomputed
+inline constexpr double far_from_datum = 100;   ///< displacements: round-off of g is then 1e-14 of these
 
 // Ragged free sets on fine grids. Convolutions of eight contacts to ε = 1e-8, 178 in total: scenes B and B2
 // at 512² and 1024², C10 at 512², three periodic self-affine surfaces of H = 0.8 at 512².
@@ -106,22 +107,22 @@ inline constexpr double floor_of_first = 0.25;  ///< of the second difference
 inline constexpr double tolerance = 1e-6;       ///< ε of the coarser contacts; 1e-3 is too loose
 inline constexpr Index least_side = 12;         ///< cells of the coarsest grid
 inline constexpr double lattice = 0.5, lattice_bias = 0.03;
-inline constexpr double pressure = 1.0 / 3;       ///< of m
-inline constexpr double peak = 1.5;               ///< of the rise of a parabola above the largest pressure
-inline constexpr double approach = 0.4;           ///< of the larger m, of approach and mean gap
-inline constexpr double load = 0.8;               ///< of m, under a prescribed approach
-inline constexpr double stiffness = 1.0 / 3;      ///< of m
-inline constexpr double ragged = 1.0 / 3;         ///< of the stiffness, times Outline::scatter over its cells
-inline constexpr double plastic_area = 1.0 / 3;   ///< of m
-inline constexpr double missed_cells = 0.10;      ///< of a cell a side of the area at the limit pressure
-inline constexpr double maximum_stress = 0.28;    ///< of m
-inline constexpr double shallow_stress = 0.03;    ///< of the value, times min(1, (h/z)²)
-inline constexpr double search = 2e-5;            ///< of the value: that of the search on fine grids
-inline constexpr double depth = 0.275;            ///< of m, times the root of the depth in cells
-inline constexpr double depth_at_limit = 0.41;    ///< likewise, at a limit pressure
-inline constexpr double floor_of_depth = 0.1;     ///< of the second difference, in m of the depth
-inline constexpr double depth_of_search = 5e-4;   ///< of the depth
-inline constexpr double near_plastic = 0.1;       ///< of the value above 2h below a limit pressure
+inline constexpr double pressure = 1.0 / 3;      ///< of m
+inline constexpr double peak = 1.5;              ///< of the rise of a parabola above the largest pressure
+inline constexpr double approach = 0.4;          ///< of the larger m, of approach and mean gap
+inline constexpr double load = 0.8;              ///< of m, under a prescribed approach
+inline constexpr double stiffness = 1.0 / 3;     ///< of m
+inline constexpr double ragged = 1.0 / 3;        ///< of the stiffness, times Outline::scatter over its cells
+inline constexpr double plastic_area = 1.0 / 3;  ///< of m
+inline constexpr double missed_cells = 0.10;     ///< of a cell a side of the area at the limit pressure
+inline constexpr double maximum_stress = 0.28;   ///< of m
+inline constexpr double shallow_stress = 0.03;   ///< of the value, times min(1, (h/z)²)
+inline constexpr double search = 2e-5;           ///< of the value: that of the search on fine grids
+inline constexpr double depth = 0.275;           ///< of m, times the root of the depth in cells
+inline constexpr double depth_at_limit = 0.41;   ///< likewise, at a limit pressure
+inline constexpr double floor_of_depth = 0.1;    ///< of the second difference, in m of the depth
+inline constexpr double depth_of_search = 5e-4;  ///< of the depth
+inline constexpr double near_plastic = 0.1;      ///< of the value above 2h below a limit pressure
 
 // The growth of a mean square slope from grid to grid.
 inline constexpr double resolved = 1.0, doubtful = 0.8;

@@ -65,7 +65,7 @@ std::vector<double> factors(Index s, Index period, bool modes) {
 AlignedVector<Complex> transformed(const Grid& grid, const Field& pressure, Index s,
                                    const PrunedTransform& transform, int threads) {
   const auto [px, py] = transform.torus();
-  const PrunedTransform fine(grid.shape, {s * px, s * py}, ColumnTransform::Ways::forward_only);
+  const PrunedTransform fine(grid.shape, {s * px, s * py}, Ways::forward_only);
   HalfSpectrum half = fine.half_spectrum();
   fine.forward_rows(pressure / static_cast<double>(fine.torus().cells()), half, threads);
   const std::vector<double> along_x = factors(s, px, grid.periodic.both()),

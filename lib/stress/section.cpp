@@ -104,7 +104,7 @@ struct SectionPlan : LayerPlan {
   void fold(const AlignedVector<Complex>& phases, int threads) {
     const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx, stride = t.stride();
-    const ColumnTransform columns(px, width, ColumnTransform::Ways::forward_only);
+    const ColumnTransform columns(px, width, Ways::forward_only);
     parallel_ranges(t.blocks(), threads, [&](Index begin, Index end, int) {
       AlignedVector<Complex> modes(size(t.block_size())), lags(modes.size());
       for (Index b = begin; b < end; ++b) {

@@ -1,6 +1,9 @@
 #include "transform/convolution.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <vector>
 
 #include "core/parallel.hpp"
 #include "transform/mirrored.hpp"
@@ -56,35 +59,82 @@ Field even_transfer_function(Shape torus, const std::function<double(Index, Inde
   return symbol;
 }
 
-EvenConvolution::EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads,
-                                 std::shared_ptr<HalfSpectrum> work)
-    : transform_(field, torus),
-      half_(work ? std::move(work) : std::make_shared<HalfSpectrum>()),
-      threads_(useful_threads(field, threads)) {
-  const std::size_t room = size(transform_.blocks() * field.nx * width);
-  if (half_->size() < room) *half_ = HalfSpectrum(room);
-  const Index rows = torus.nx / 2 + 1;
-  symbol_.resize(size(transform_.blocks() * rows * width));
-  const double scale = 1.0 / static_cast<double>(torus.cells());
-  for (Index k = 0; k < transform_.columns(); ++k)
-    for (Index i = 0; i < rows; ++i) symbol_[size(k * rows + i)] = scale * symbol(i, k);
+namespace {
+
+// Single precision has a short range: its numbers count in the largest. Doubles stay as they are.
+template <class Real, class Number>
+double unit_of(const Number* numbers, Index count, int threads) {
+  if constexpr (std::is_same_v<Real, double>) return 1;
+  std::vector<double> parts(size(threads));
+  parallel_ranges(count, threads, [&](Index begin, Index end, int thread) {
+    if (begin == end) return;
+    const Eigen::Map<const Eigen::ArrayX<Number>> run(numbers + begin, end - begin);
+    parts[size(thread)] = static_cast<double>(run.abs().maxCoeff());
+  });
+  const double largest = *std::max_element(parts.begin(), parts.end());
+  return std::isnormal(largest) ? largest : 1;
 }
 
-void EvenConvolution::multiply(Index b, Complex* block) const {
+}  // namespace
+
+template <class Real>
+BasicEvenConvolution<Real>::BasicEvenConvolution(Shape field, Shape torus, const Field& symbol, int threads,
+                                                 WorkSpace work)
+    : transform_(field, torus),
+      unit_(unit_of<Real>(symbol.data(), symbol.size(), threads)),
+      work_(work ? std::move(work) : std::make_shared<WorkSpace::element_type>()),
+      threads_(useful_threads(field, threads)) {
+  const Index rows = torus.nx / 2 + 1;
+  symbol_.resize(size(transform_.blocks() * rows * width));
+  const double scale = 1.0 / (unit_ * static_cast<double>(torus.cells()));
+  for (Index k = 0; k < transform_.columns(); ++k)
+    for (Index i = 0; i < rows; ++i) symbol_[size(k * rows + i)] = static_cast<Real>(scale * symbol(i, k));
+  half_spectrum();
+}
+
+template <class Real>
+template <class Other>
+BasicEvenConvolution<Real>::BasicEvenConvolution(const BasicEvenConvolution<Other>& other)
+    : transform_(other.transform_.field(), other.transform_.torus()),
+      unit_(other.unit_),
+      work_(other.work_),
+      threads_(other.threads_) {
+  const double unit = unit_of<Real>(other.symbol_.data(), std::ssize(other.symbol_), threads_);
+  unit_ *= unit;
+  symbol_.reserve(other.symbol_.size());
+  for (const Other s : other.symbol_) symbol_.push_back(static_cast<Real>(s / unit));
+}
+
+template <class Real>
+auto BasicEvenConvolution<Real>::half_spectrum() const -> std::span<Number> {
+  const std::size_t points = size(transform_.half_size()), room = points * sizeof(Number);
+  if (work_->size() < room) *work_ = WorkSpace::element_type(room);
+  return {reinterpret_cast<Number*>(work_->data()), points};
+}
+
+template <class Real>
+void BasicEvenConvolution<Real>::multiply(Index b, Number* block) const {
   const Index nx = transform_.torus().nx, rows = nx / 2 + 1;
   for (Index q = 0; q < width; ++q) {
-    const double* s = symbol_.data() + (b * width + q) * rows;
-    Complex* x = block + q * transform_.stride();
+    const Real* s = symbol_.data() + (b * width + q) * rows;
+    Number* x = block + q * transform_.stride();
     for (Index i = 0; i < rows; ++i) x[i] *= s[i];
     for (Index i = rows; i < nx; ++i) x[i] *= s[nx - i];
   }
 }
 
-void EvenConvolution::apply(const Field& in, Field& out) {
-  transform_.forward_rows(in, *half_, threads_);
-  transform_.filter(*half_, threads_, [this](Index b, Complex* block) { multiply(b, block); });
+template <class Real>
+void BasicEvenConvolution<Real>::apply(const Field& in, Field& out) {
+  const double unit = unit_of<Real>(in.data(), in.size(), threads_);
+  const std::span<Number> half = half_spectrum();
+  transform_.forward_rows(in, half, threads_, 1 / unit);
+  transform_.filter(half, threads_, [this](Index b, Number* block) { multiply(b, block); });
   out.resize(shape().nx, shape().ny);
-  transform_.inverse_rows(*half_, out, threads_);
+  transform_.inverse_rows(half, out, threads_, unit * unit_);
 }
+
+template class BasicEvenConvolution<double>;
+template class BasicEvenConvolution<float>;
+template BasicEvenConvolution<float>::BasicEvenConvolution(const BasicEvenConvolution<double>&);
 
 }  // namespace asperity

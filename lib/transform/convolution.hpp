@@ -5,12 +5,15 @@
 /// linear on an nx × ny field by padding to a torus Px × Py, Px ≥ 2nx - 1, Py ≥ 2ny - 1, or circular when the
 /// torus is the field itself. K's spectrum, the symbol, is real and even: a quarter of it is stored.
 ///
-/// Accuracy  ε log2(Px Py) of max|K| Σ|in|, round-off only.
-/// Cost      one pruned transform there and back (transform/pruned.hpp).
+/// Accuracy  ε log2(Px Py) of max|K| Σ|in|, round-off only; in single precision numbers count in the largest
+///           coefficient and value, so that no scale leaves its range.
+/// Cost      one pruned transform there and back (transform/pruned.hpp); in single precision half, from 512²
+///           on.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <span>
 
 #include "core/field.hpp"
 #include "transform/pruned.hpp"
@@ -24,24 +27,37 @@ Shape padded_torus(Shape field);
 /// Py/2, by several threads at once. Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky).
 Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads = 1);
 
-class EvenConvolution {
+/// Memory that convolutions use in turn.
+using WorkSpace = std::shared_ptr<AlignedVector<std::byte>>;
+
+template <class Real>
+class BasicEvenConvolution {
  public:
   /// `symbol` as even_transfer_function returns it, for this torus. Convolutions that never work at the same
   /// time may share a work space, which is grown to what the largest needs.
-  EvenConvolution(Shape field, Shape torus, const Field& symbol, int threads = 1,
-                  std::shared_ptr<HalfSpectrum> work = nullptr);
+  BasicEvenConvolution(Shape field, Shape torus, const Field& symbol, int threads = 1, WorkSpace work = {});
+  /// The same convolution in another precision.
+  template <class Other>
+  explicit BasicEvenConvolution(const BasicEvenConvolution<Other>& other);
 
   Shape shape() const { return transform_.field(); }
   /// (1); `out` may be `in`. Not for two threads at once on one work space.
   void apply(const Field& in, Field& out);
 
  private:
-  void multiply(Index b, Complex* block) const;
+  template <class Other>
+  friend class BasicEvenConvolution;
+  using Number = std::complex<Real>;
 
-  PrunedTransform transform_;
-  AlignedVector<double> symbol_;  ///< [column][kx ≤ Px/2], divided by Px Py
-  std::shared_ptr<HalfSpectrum> half_;
+  void multiply(Index b, Number* block) const;
+  std::span<Number> half_spectrum() const;
+
+  BasicPrunedTransform<Real> transform_;
+  double unit_;                 ///< of the symbol: all of it is at most 1 in single precision
+  AlignedVector<Real> symbol_;  ///< [column][kx ≤ Px/2], divided by unit_ Px Py
+  WorkSpace work_;
   int threads_;
 };
+using EvenConvolution = BasicEvenConvolution<double>;
 
 }  // namespace asperity

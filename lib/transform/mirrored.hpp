@@ -23,7 +23,7 @@ class MirroredTransform {
   static constexpr Index pairs = width / 2;  ///< complex columns: sequences 2c and 2c+1
 
   /// The period is even.
-  explicit MirroredTransform(Index period) : columns_(period, pairs, ColumnTransform::Ways::forward_only) {}
+  explicit MirroredTransform(Index period) : columns_(period, pairs, Ways::forward_only) {}
 
   Index period() const { return columns_.points(); }
   Index stride() const { return columns_.stride(); }

@@ -14,20 +14,49 @@
 namespace asperity {
 namespace {
 
-fftw_complex* raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
-fftw_complex* raw(double* p) { return reinterpret_cast<fftw_complex*>(p); }
-fftw_plan get(const Plan& p) { return static_cast<fftw_plan>(p.get()); }
+// What FFTW calls by other names in each precision.
+template <class Real>
+struct Fftw;
+template <>
+struct Fftw<double> {
+  using Number = fftw_complex;
+  using Plan = fftw_plan;
+  static constexpr auto plan_columns = fftw_plan_many_dft;
+  static constexpr auto execute_columns = fftw_execute_dft;
+  static constexpr auto destroy = fftw_destroy_plan;
+};
+template <>
+struct Fftw<float> {
+  using Number = fftwf_complex;
+  using Plan = fftwf_plan;
+  static constexpr auto plan_columns = fftwf_plan_many_dft;
+  static constexpr auto execute_columns = fftwf_execute_dft;
+  static constexpr auto destroy = fftwf_destroy_plan;
+};
 
-// The next multiple of eight doubles, so that a second array behind the first is aligned too.
-std::size_t aligned(Index n) { return (size(n) + 7) / 8 * 8; }
+template <class Real>
+auto raw(std::complex<Real>* p) {
+  return reinterpret_cast<typename Fftw<Real>::Number*>(p);
+}
+template <class Real>
+auto raw(Real* p) {
+  return reinterpret_cast<typename Fftw<Real>::Number*>(p);
+}
+template <class Real = double>
+auto get(const Plan& p) {
+  return static_cast<typename Fftw<Real>::Plan>(p.get());
+}
+
+// The next multiple of sixteen numbers, so that a second array behind the first is aligned too.
+std::size_t aligned(Index n) { return (size(n) + 15) / 16 * 16; }
 
 // FFTW's planner keeps global state; executing a plan does not.
 std::mutex planner;
 
 enum Kind { columns_forward, columns_inverse, plane_forward, plane_inverse };
 
-// What distinguishes a plan: the kind and its two lengths.
-using Key = std::tuple<Kind, Index, Index>;
+// What distinguishes a plan: the kind, its two lengths, and the bytes of a number.
+using Key = std::tuple<Kind, Index, Index, std::size_t>;
 
 // The plans of late, shared by all transforms of the same size.
 std::map<Key, Plan> recent;
@@ -54,20 +83,21 @@ void require_buffers(Shape shape) {
 
 // FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory,
 // and an aligned one may be executed on any other aligned array.
-template <class Make>
-Plan plan(const Key& key, std::size_t doubles, Make make) {
+template <class Real = double, class Make>
+Plan plan(Kind kind, Index nx, Index ny, std::size_t reals, Make make) {
+  const Key key{kind, nx, ny, sizeof(Real)};
   std::map<Key, Plan> forgotten;  // destroyed after the lock is released
   const std::lock_guard lock(planner);
   if (const auto known = recent.find(key); known != recent.end()) return known->second;
-  const std::unique_ptr<double, decltype(&fftw_free)> scratch(fftw_alloc_real(doubles), &fftw_free);
-  if (!scratch) throw std::bad_alloc();
-  require_room_for(std::get<1>(key), std::get<2>(key));
-  const fftw_plan made = make(scratch.get());
+  AlignedVector<Real> scratch;
+  scratch.reserve(reals);
+  require_room_for(nx, ny);
+  const auto made = make(scratch.data());
   if (made == nullptr) throw std::runtime_error("FFTW could not make a plan");
   if (recent.size() == most_recent) recent.swap(forgotten);
-  return recent[key] = Plan(made, [](fftw_plan p) {
+  return recent[key] = Plan(made, [](auto p) {
            const std::lock_guard alone(planner);
-           fftw_destroy_plan(p);
+           Fftw<Real>::destroy(p);
          });
 }
 
@@ -93,34 +123,40 @@ std::string transform_version() {
   return "FFTW " + version.substr(begin, version.find('-', begin) - begin);
 }
 
-ColumnTransform::ColumnTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
+template <class Real>
+BasicColumnTransform<Real>::BasicColumnTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
   const int points = counted(n), columns = counted(width), apart = counted(stride());
   auto one_way = [&](Kind kind, int sign) {
-    const std::size_t doubles = aligned(2 * size());
-    return plan({kind, n, width}, 2 * doubles, [&](double* a) {
-      return fftw_plan_many_dft(1, &points, columns, raw(a), nullptr, 1, apart, raw(a + doubles), nullptr, 1,
-                                apart, sign, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+    const std::size_t reals = aligned(2 * size());
+    return plan<Real>(kind, n, width, 2 * reals, [&](Real* a) {
+      return Fftw<Real>::plan_columns(1, &points, columns, raw(a), nullptr, 1, apart, raw(a + reals), nullptr,
+                                      1, apart, sign, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
     });
   };
   forward_ = one_way(columns_forward, FFTW_FORWARD);
   if (ways == Ways::both) inverse_ = one_way(columns_inverse, FFTW_BACKWARD);
 }
 
-void ColumnTransform::forward(const Complex* in, Complex* out) const {
-  fftw_execute_dft(get(forward_), raw(const_cast<Complex*>(in)), raw(out));
+template <class Real>
+void BasicColumnTransform<Real>::forward(const Number* in, Number* out) const {
+  Fftw<Real>::execute_columns(get<Real>(forward_), raw(const_cast<Number*>(in)), raw(out));
 }
-void ColumnTransform::inverse(const Complex* in, Complex* out) const {
-  fftw_execute_dft(get(inverse_), raw(const_cast<Complex*>(in)), raw(out));
+template <class Real>
+void BasicColumnTransform<Real>::inverse(const Number* in, Number* out) const {
+  Fftw<Real>::execute_columns(get<Real>(inverse_), raw(const_cast<Number*>(in)), raw(out));
 }
+
+template class BasicColumnTransform<double>;
+template class BasicColumnTransform<float>;
 
 RealTransform2D::RealTransform2D(Shape shape) : shape_(shape) {
   const std::array sides{counted(shape.nx), counted(shape.ny)};
   const int rank = shape.nx == 1 ? 1 : 2, *n = sides.data() + 2 - rank;
   const std::size_t offset = aligned(shape.cells()), doubles = offset + 2 * size(spectrum_size());
-  forward_ = plan({plane_forward, shape.nx, shape.ny}, doubles, [&](double* a) {
+  forward_ = plan(plane_forward, shape.nx, shape.ny, doubles, [&](double* a) {
     return fftw_plan_dft_r2c(rank, n, a, raw(a + offset), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
   });
-  inverse_ = plan({plane_inverse, shape.nx, shape.ny}, doubles,
+  inverse_ = plan(plane_inverse, shape.nx, shape.ny, doubles,
                   [&](double* a) { return fftw_plan_dft_c2r(rank, n, raw(a + offset), a, FFTW_ESTIMATE); });
 }
 

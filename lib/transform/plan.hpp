@@ -51,35 +51,42 @@ std::string transform_version();
 
 using Plan = std::shared_ptr<void>;  ///< FFTW's
 
+enum class Ways { both, forward_only };
+
 /// `width` columns of n complex points each, one after the other `stride` apart, out of place. Interleaved,
-/// or in place, they would take twice as long; columns_from_rows is the way to them.
-class ColumnTransform {
+/// or in place, they would take twice as long; columns_from_rows is the way to them. Real: double or float.
+template <class Real>
+class BasicColumnTransform {
  public:
-  enum class Ways { both, forward_only };
-  ColumnTransform(Index n, Index width, Ways ways = Ways::both);
+  using Number = std::complex<Real>;
+
+  BasicColumnTransform(Index n, Index width, Ways ways = Ways::both);
   Index points() const { return n_; }
   Index width() const { return width_; }
-  static constexpr Index stride_of(Index n) { return n + 4; }  ///< no power of two, for the cache
+  static constexpr Index stride_of(Index n) {
+    return n + 64 / sizeof(Number);
+  }  ///< no power of two, for the cache
   Index stride() const { return stride_of(n_); }
   Index size() const { return width_ * stride(); }
-  void forward(const Complex* in, Complex* out) const;
-  void inverse(const Complex* in, Complex* out) const;
+  void forward(const Number* in, Number* out) const;
+  void inverse(const Number* in, Number* out) const;
 
  private:
   Index n_, width_;
   Plan forward_, inverse_;
 };
+using ColumnTransform = BasicColumnTransform<double>;
 
 /// `count` rows of `width` values to columns, `stride` apart, and back: what lies side by side in memory, one
 /// after the other. Costs a tenth to a fifth of the columns' transform.
-template <Index width>
-void columns_from_rows(const Complex* rows, Index count, Complex* columns, Index stride) {
+template <Index width, class Number>
+void columns_from_rows(const Number* rows, Index count, Number* columns, Index stride) {
   for (Index i = 0; i < count; ++i)
     for (Index c = 0; c < width; ++c) columns[c * stride + i] = rows[i * width + c];
 }
 
-template <Index width>
-void rows_from_columns(const Complex* columns, Index stride, Index count, Complex* rows) {
+template <Index width, class Number>
+void rows_from_columns(const Number* columns, Index stride, Index count, Number* rows) {
   for (Index i = 0; i < count; ++i)
     for (Index c = 0; c < width; ++c) rows[i * width + c] = columns[c * stride + i];
 }

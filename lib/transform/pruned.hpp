@@ -13,6 +13,8 @@
 /// Memory: 2 nx (Py/2 + 8) doubles for a half spectrum, 16 Px for a block.
 #pragma once
 
+#include <span>
+
 #include "core/field.hpp"
 #include "core/parallel.hpp"
 #include "transform/plan.hpp"
@@ -21,14 +23,20 @@
 namespace asperity {
 
 /// Rows transformed in y, columns not yet in x: block b holds columns 8b … 8b+7 of nx rows, [b][i][8].
-using HalfSpectrum = AlignedVector<Complex>;
+template <class Real>
+using BasicHalfSpectrum = AlignedVector<std::complex<Real>>;
+using HalfSpectrum = BasicHalfSpectrum<double>;
 
-class PrunedTransform {
+template <class Real>
+class BasicPrunedTransform {
  public:
+  using Number = std::complex<Real>;
+  using HalfSpectrum = BasicHalfSpectrum<Real>;
+  using Rows = BasicRowTransform<Real>;
   static constexpr Index width = 8;  ///< columns in a block
 
   /// `torus` may equal `field`: a periodic transform, nothing pruned.
-  PrunedTransform(Shape field, Shape torus, ColumnTransform::Ways ways = ColumnTransform::Ways::both);
+  BasicPrunedTransform(Shape field, Shape torus, Ways ways = Ways::both);
 
   Shape field() const { return field_; }
   Shape torus() const { return torus_; }
@@ -36,29 +44,30 @@ class PrunedTransform {
   Index blocks() const { return (columns() + width - 1) / width; }
   Index stride() const { return columns_.stride(); }  ///< from one column of a block to the next
   Index block_size() const { return columns_.size(); }
+  Index half_size() const { return blocks() * field_.nx * width; }  ///< points of a half spectrum
   HalfSpectrum half_spectrum() const;
 
-  /// The rows of `in` into the half spectrum.
-  void forward_rows(const Field& in, HalfSpectrum& half, int threads = 1) const;
-  /// The rows of `out` from the half spectrum, multiplied by Px Py.
-  void inverse_rows(const HalfSpectrum& half, Field& out, int threads = 1) const;
+  /// The rows of `in`, times `scale`, into the half spectrum.
+  void forward_rows(const Field& in, std::span<Number> half, int threads = 1, double scale = 1) const;
+  /// The rows of `out` from the half spectrum, multiplied by Px Py and `scale`.
+  void inverse_rows(std::span<const Number> half, Field& out, int threads = 1, double scale = 1) const;
   /// The rows first ≤ i < first + count alone, eight at most: the first `wanted` points of each, to out +
   /// (i - first)·apart.
-  void inverse_group(const HalfSpectrum& half, Index first, Index count, Index wanted, double* out,
-                     Index apart, RowTransform::Work& work) const {
+  void inverse_group(std::span<const Number> half, Index first, Index count, Index wanted, double* out,
+                     Index apart, typename Rows::Work& work) const {
     rows_.inverse(half.data() + first * width, field_.nx * width, count, wanted, out, apart, work);
   }
-  RowTransform::Work row_work() const { return rows_.work(); }
+  typename Rows::Work row_work() const { return rows_.work(); }
 
   /// work(b, block) of every block of the half spectrum, transformed in x as by forward_block.
   template <class Work>
-  void each_block(const HalfSpectrum& half, int threads, Work work) const {
-    pass(half, threads, [&](Index b, Complex* block, Complex*) { work(b, block); });
+  void each_block(std::span<const Number> half, int threads, Work work) const {
+    pass(half, threads, [&](Index b, Number* block, Number*) { work(b, block); });
   }
   /// The same, and what work has made of it back into the half spectrum.
   template <class Work>
-  void filter(HalfSpectrum& half, int threads, Work work) const {
-    pass(half, threads, [&](Index b, Complex* block, Complex* scratch) {
+  void filter(std::span<Number> half, int threads, Work work) const {
+    pass(half, threads, [&](Index b, Number* block, Number* scratch) {
       work(b, block);
       inverse_block(block, b, half, scratch);
     });
@@ -66,17 +75,17 @@ class PrunedTransform {
 
   /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points,
   /// as `work` has.
-  void forward_block(const HalfSpectrum& half, Index b, Complex* block, Complex* work) const;
+  void forward_block(std::span<const Number> half, Index b, Number* block, Number* work) const;
   /// Back again: transforms `block` and keeps the first nx rows.
-  void inverse_block(const Complex* block, Index b, HalfSpectrum& half, Complex* work) const;
+  void inverse_block(const Number* block, Index b, std::span<Number> half, Number* work) const;
 
  private:
   template <class Visit>
   void by_groups(int threads, Visit visit) const;
   template <class Work>
-  void pass(const HalfSpectrum& half, int threads, Work work) const {
+  void pass(std::span<const Number> half, int threads, Work work) const {
     parallel_ranges(blocks(), threads, [&](Index begin, Index end, int) {
-      AlignedVector<Complex> block(size(block_size())), scratch(block.size());
+      HalfSpectrum block(size(block_size())), scratch(block.size());
       for (Index b = begin; b < end; ++b) {
         forward_block(half, b, block.data(), scratch.data());
         work(b, block.data(), scratch.data());
@@ -85,8 +94,9 @@ class PrunedTransform {
   }
 
   Shape field_, torus_;
-  RowTransform rows_;
-  ColumnTransform columns_;
+  Rows rows_;
+  BasicColumnTransform<Real> columns_;
 };
+using PrunedTransform = BasicPrunedTransform<double>;
 
 }  // namespace asperity

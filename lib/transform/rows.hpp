@@ -15,32 +15,34 @@
 
 namespace asperity {
 
-class RowTransform {
+template <class Real>
+class BasicRowTransform {
  public:
   static constexpr Index rows = 8, width = 8;  ///< rows at a time; k in a block
-  using Ways = ColumnTransform::Ways;
+  using Number = std::complex<Real>;
 
-  explicit RowTransform(Index n, Ways ways = Ways::both) : columns_(n, rows / 2, ways) {}
+  explicit BasicRowTransform(Index n, Ways ways = Ways::both) : columns_(n, rows / 2, ways) {}
 
   Index points() const { return columns_.points(); }
   Index blocks() const { return (points() / 2 + width) / width; }
 
   /// What one thread needs.
   struct Work {
-    AlignedVector<Complex> points, modes;
+    AlignedVector<Number> points, modes;
   };
   Work work() const;
 
-  /// Rows r < count of `given` points, zeros behind them, in + r·apart: to blocks that lie block_stride
-  /// apart.
-  void forward(const double* in, Index apart, Index given, Index count, Complex* blocks, Index block_stride,
-               Work& work) const;
-  /// Back, times n: the first `wanted` points of the rows r < count, to out + r·apart.
-  void inverse(const Complex* blocks, Index block_stride, Index count, Index wanted, double* out, Index apart,
-               Work& work) const;
+  /// Rows r < count of `given` points, zeros behind them, in + r·apart, times `scale`: to blocks that lie
+  /// block_stride apart.
+  void forward(const double* in, Index apart, Index given, Index count, Number* blocks, Index block_stride,
+               Work& work, double scale = 1) const;
+  /// Back, times n and `scale`: the first `wanted` points of the rows r < count, to out + r·apart.
+  void inverse(const Number* blocks, Index block_stride, Index count, Index wanted, double* out, Index apart,
+               Work& work, double scale = 1) const;
 
  private:
-  ColumnTransform columns_;
+  BasicColumnTransform<Real> columns_;
 };
+using RowTransform = BasicRowTransform<double>;
 
 }  // namespace asperity

@@ -134,7 +134,7 @@ TEST_CASE("influence and preconditioner of a repeating strip are symmetric and p
       CHECK(std::abs((q * kp).sum() - (p * kq).sum()) <=
             16 * epsilon * cells * std::max(kp.abs().maxCoeff(), kq.abs().maxCoeff()));
       CHECK(std::abs((q * mp).sum() - (p * mq).sum()) <=
-            16 * epsilon * cells * std::max(mp.abs().maxCoeff(), mq.abs().maxCoeff()));
+            16 * single * cells * std::max(mp.abs().maxCoeff(), mq.abs().maxCoeff()));
       CHECK((p * kp).sum() > 0);
       CHECK((q * kq).sum() > 0);
       CHECK((q * mq).sum() > 0);
@@ -198,7 +198,7 @@ TEST_CASE("a cylinder's line contact converges to Hertz's at order 2 with its co
       CHECK(std::abs(2 * std::sqrt(second) / b - 1) <= 0.5 / (cells * cells));
       CHECK(std::abs(contact.approach / approach - 1) <= 0.2 / (cells * cells));
       CHECK(std::sqrt(square) <= 0.4 / cells);
-      CHECK((p.rowwise() - p.row(0)).abs().maxCoeff() <= 1e-12 * p0);  // uniform along the axis
+      CHECK((p.rowwise() - p.row(0)).abs().maxCoeff() <= 1e-9 * p0);  // uniform but for ε = 1e-10
     }
 }
 

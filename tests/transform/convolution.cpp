@@ -1,5 +1,7 @@
 #include "transform/convolution.hpp"
 
+#include <limits>
+
 #include "support.hpp"
 
 using namespace asperity;
@@ -38,6 +40,34 @@ TEST_CASE("a padded convolution equals the direct sum for every shape", "[convol
     const double bound = epsilon * 8 * (1 + in.abs().sum());
     CHECK((out - direct(in)).abs().maxCoeff() <= bound);
   }
+}
+
+// As above with the ε of single precision, which the symbol, the field and each transform are rounded to; in
+// units of the largest values, so that none leaves its range of 1e-38 to 1e38.
+TEST_CASE("single precision errs by its own round-off at any scale", "[convolution][exact]") {
+  constexpr double single = std::numeric_limits<float>::epsilon();
+  for (Shape shape : {Shape{1, 7}, Shape{13, 21}, Shape{40, 64}})
+    for (double heights : {1e-250, 1.0, 1e150})
+      for (double coefficients : {1e-60, 1.0, 1e100}) {
+        const Field in = random_field(shape, 1);
+        const Shape torus = padded_torus(shape);
+        const Field symbol = coefficients * even_transfer_function(torus, kernel);
+        const Field wanted = direct(in);
+        Field made, converted;
+        BasicEvenConvolution<float>(shape, torus, symbol).apply(heights * in, made);
+        BasicEvenConvolution<float>(EvenConvolution(shape, torus, symbol)).apply(heights * in, converted);
+        CAPTURE(shape.nx, shape.ny, heights, coefficients);
+        const double bound = single * 8 * (1 + in.abs().sum());
+        CHECK((made / (heights * coefficients) - wanted).abs().maxCoeff() <= bound);
+        CHECK((converted / (heights * coefficients) - wanted).abs().maxCoeff() <= bound);
+      }
+}
+
+TEST_CASE("a field of zeros convolves to zeros in single precision", "[convolution][exact]") {
+  const Shape shape{9, 12}, torus = padded_torus(shape);
+  Field out = Field::Zero(shape.nx, shape.ny);
+  BasicEvenConvolution<float>(shape, torus, even_transfer_function(torus, kernel)).apply(out, out);
+  CHECK((out == 0).all());
 }
 
 TEST_CASE("a circular convolution commutes with a shift", "[convolution][law]") {
