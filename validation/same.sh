@@ -13,7 +13,7 @@ heights_error_time-1 fit solve surface whole
 heights_plane-1 fit_us apply_ns map_ms
 moments_error_time-1 seconds ratio
 scaling-1 seconds transforms MB doubles
-scaling-2 exponent
+scaling-2 exponent time memory largest hours
 scene_time-1 kernel draw contact stress sum share
 statistics_coverage-4 transform moments ACF N_eff
 stress_edge-2 seconds
@@ -24,6 +24,7 @@ synthesis_time-1 peak
 synthesis_time-2 noise transforms surface surface_2 ratio
 synthesis_time-3 direct transform ratio
 synthesis_time-4 kernel surface
+tool_time-1 tool library ratio fields
 '
 
 # lasting FOLDER TABLE: the table without these columns.

@@ -18,8 +18,10 @@
 /// pages); `doubles` the same in doubles a cell. What takes more than 10 s is timed once, plans and all. N =
 /// 4096 is left out where it would take more than two minutes, or three quarters of the memory.
 ///
-/// Second table: the `exponent` e of seconds ~ (N² log N)^e, fitted from N = 256 on (from LARGEST_N/2 if that
-/// is less).
+/// Second table: what doubling N takes. `exponent` e of seconds ~ (N² log N)^e, fitted from N = 256 on (from
+/// LARGEST_N/2 if that is less); `time` and `memory` of the largest grid over those of one half as wide;
+/// `largest` the N whose memory, the field that is given included, is 16 GiB, and `hours` there, both
+/// extrapolated from the largest grid.
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -151,6 +153,19 @@ double exponent(const std::vector<Point>& points, Index from) {
   return (count * xy - x * y) / (count * xx - x * x);
 }
 
+// A row of the second table.
+std::string doubled(const Named& stage, int threads, const std::vector<Point>& points, Index from) {
+  constexpr double memory = 16 * 1073.741824;  // [MB]
+  const double e = exponent(points, from);
+  const Point &last = points.back(), &before = points[points.size() - 2];
+  const auto side = static_cast<double>(last.n);
+  const auto largest = static_cast<Index>(side * std::sqrt(memory / (last.megabytes + 8e-6 * side * side)));
+  const double seconds = last.seconds * std::pow(unit_of(largest) / unit_of(last.n), e);
+  return fmt::format("{}\t{}\t{:.2f}\t{:.1f}\t{:.1f}\t{}\t{:.2g}\n", stage.name, threads, e,
+                     last.seconds / before.seconds, last.megabytes / before.megabytes, largest,
+                     seconds / 3600);
+}
+
 double transform_seconds(Index n) {
   static std::map<Index, double> known;
   const auto [at, made] = known.try_emplace(n);
@@ -190,12 +205,11 @@ int main(int argc, char** argv) {
   print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 4096;
   const Index fitted_from = std::min<Index>(256, largest / 2);
-  std::string fits;
+  std::string rows;
   fmt::print("# stage\tN\tthreads\tseconds\ttransforms\tMB\tdoubles\n");
   for (const Named& stage : stages)
     for (int threads = 1; threads <= (stage.threaded ? 2 : 1); ++threads)
-      fits += fmt::format("{}\t{}\t{:.2f}\n", stage.name, threads,
-                          exponent(grow(stage, threads, largest), fitted_from));
-  fmt::print("\n# stage\tthreads\texponent\n{}", fits);
+      rows += doubled(stage, threads, grow(stage, threads, largest), fitted_from);
+  fmt::print("\n# stage\tthreads\texponent\ttime\tmemory\tlargest\thours\n{}", rows);
   return 0;
 }

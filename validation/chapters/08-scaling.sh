@@ -28,7 +28,8 @@ plot for [i=1:words(stages)] '@scaling-1.tsv' using 2:(strcol(1) eq word(stages,
 END
 table scaling-1 '$c["N"] >= 256'
 text <<'END'
-The exponent of seconds against N² log N, fitted from N = 256 on:
+What doubling N takes: the exponent of seconds against N² log N, fitted from N = 256 on; time and memory of the largest grid
+over those of the grid before; and, extrapolated from the largest, the N whose memory is 16 GiB, the given field included, and its hours:
 END
 table scaling-2
 text <<'END'
