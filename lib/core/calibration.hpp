@@ -106,22 +106,22 @@ inline constexpr double floor_of_first = 0.25;  ///< of the second difference
 inline constexpr double tolerance = 1e-6;       ///< ε of the coarser contacts; 1e-3 is too loose
 inline constexpr Index least_side = 12;         ///< cells of the coarsest grid
 inline constexpr double lattice = 0.5, lattice_bias = 0.03;
-inline constexpr double pressure = 1.0 / 3;       ///< of m
-inline constexpr double peak = 1.5;               ///< of the rise of a parabola above the largest pressure
-inline constexpr double approach = 0.4;           ///< of the larger m, of approach and mean gap
-inline constexpr double load = 0.8;               ///< of m, under a prescribed approach
-inline constexpr double stiffness = 1.0 / 3;      ///< of m
-inline constexpr double ragged = 1.0 / 3;         ///< of the stiffness, times Outline::scatter over its cells
-inline constexpr double plastic_area = 1.0 / 3;   ///< of m
-inline constexpr double missed_cells = 0.10;      ///< of a cell a side of the area at the limit pressure
-inline constexpr double maximum_stress = 0.28;    ///< of m
-inline constexpr double shallow_stress = 0.03;    ///< of the value, times min(1, (h/z)²)
-inline constexpr double search = 2e-5;            ///< of the value: that of the search on fine grids
-inline constexpr double depth = 0.275;            ///< of m, times the root of the depth in cells
-inline constexpr double depth_at_limit = 0.41;    ///< likewise, at a limit pressure
-inline constexpr double floor_of_depth = 0.1;     ///< of the second difference, in m of the depth
-inline constexpr double depth_of_search = 5e-4;   ///< of the depth
-inline constexpr double near_plastic = 0.1;       ///< of the value above 2h below a limit pressure
+inline constexpr double pressure = 1.0 / 3;      ///< of m
+inline constexpr double peak = 1.5;              ///< of the rise of a parabola above the largest pressure
+inline constexpr double approach = 0.4;          ///< of the larger m, of approach and mean gap
+inline constexpr double load = 0.8;              ///< of m, under a prescribed approach
+inline constexpr double stiffness = 1.0 / 3;     ///< of m
+inline constexpr double ragged = 1.0 / 3;        ///< of the stiffness, times Outline::scatter over its cells
+inline constexpr double plastic_area = 1.0 / 3;  ///< of m
+inline constexpr double missed_cells = 0.10;     ///< of a cell a side of the area at the limit pressure
+inline constexpr double maximum_stress = 0.28;   ///< of m
+inline constexpr double shallow_stress = 0.03;   ///< of the value, times min(1, (h/z)²)
+inline constexpr double search = 2e-5;           ///< of the value: that of the search on fine grids
+inline constexpr double depth = 0.275;           ///< of m, times the root of the depth in cells
+inline constexpr double depth_at_limit = 0.41;   ///< likewise, at a limit pressure
+inline constexpr double floor_of_depth = 0.1;    ///< of the second difference, in m of the depth
+inline constexpr double depth_of_search = 5e-4;  ///< of the depth
+inline constexpr double near_plastic = 0.1;      ///< of the value above 2h below a limit pressure
 
 // The growth of a mean square slope from grid to grid.
 inline constexpr double resolved = 1.0, doubtful = 0.8;
@@ -141,6 +141,9 @@ inline constexpr double edge_stairs = 0.015;          ///< of the largest pressu
 inline constexpr double depth_of_wide_cells = 5;  ///< in sides of the wide cell
 inline constexpr Index least_wide_cells = 16;     ///< along each side of the grid
 inline constexpr Index least_taper = 8;           ///< lags over which a kernel decays to 0
+
+// Cells of a layer from which on threads share it: `volume` of validation/scaling.
+inline constexpr Index shared_layer = 512 * 512;
 
 // Distance in half sides from which corner sums cancel: tests/stress/influence.cpp, twelve digits everywhere.
 inline constexpr double integrate_by_8 = 5, integrate_by_4 = 50;
