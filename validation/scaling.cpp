@@ -10,7 +10,8 @@
 ///     psd         with Hann's windows
 ///     smooth      contact of two spheres, scene A of contact_scenes.hpp, to ε = 1e-8
 ///     rough       the same with roughness, scene B
-///     volume      of stress below the smooth contact: eight layers in full, six components, von Mises
+///     volume      of stress below the smooth contact: the von Mises stress of eight layers in full, whose rows
+///                 go to a sink that throws them away, as to a file
 ///     maximum     the search for the largest von Mises stress below it
 /// `seconds` with their set-up, FFTW's plans apart, the fastest of several; `transforms` the same in real
 /// transforms of (2N)² points, one there or back, on one thread; `MB` what a process takes for it at its peak
@@ -37,8 +38,8 @@
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spectrum/spectrum.hpp"
-#include "stress/equivalent.hpp"
 #include "stress/maximum.hpp"
+#include "stress/mises_layer.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"
 
@@ -102,12 +103,24 @@ Work smooth(Index n, int threads) { return contact("A", n, threads); }
 Work rough(Index n, int threads) { return contact("B", n, threads); }
 
 Work volume(Index n, int threads) {
-  return [n, threads, p = hertz_pressure(square(n)), mises = std::make_shared<Field>(8 * n, n)] {
-    StressSolver({square(n), p, 0.3}, threads)
-        .layers({0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 0.9, 1.2}, stress::all,
-                [&](Index l, Index i, const StressRow& s) {
-                  von_mises(s, {mises->row(l * n + i).data(), s[0].size()});
-                });
+  return [n, threads, p = hertz_pressure(square(n))] {
+    const std::vector<double> depths{0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 0.9, 1.2};
+    const StressSolver solver({square(n), p, 0.3}, threads);
+    std::vector<MisesLayer> sums;
+    for (int k = 0; k < threads; ++k) sums.emplace_back(Shape{n, n});
+    solver.each_layer(
+        depths,
+        [&](Index l, StressSolver::Workspace& work) {
+          MisesLayer& sum = sums[size(l) % sums.size()];
+          for (auto c : stress::components)
+            solver.layer(depths[size(l)], stress::Set().set(c), work, [&](Index i, const StressRow& s) {
+              sum.add(c, i, s[c]);
+              if (c != stress::yz) return;
+              std::vector<double> row(size(n));
+              sum.row(i, 1, row);
+            });
+        },
+        [](Index, Index) {});
   };
 }
 

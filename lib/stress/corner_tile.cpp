@@ -77,6 +77,8 @@ struct Corners {
   }
 };
 
+bool wanted(double* const out[6]) { return out[0] || out[1] || out[2] || out[3] || out[4] || out[5]; }
+
 // The rows j of six arrays.
 struct Rows {
   double* out[6];
@@ -97,9 +99,9 @@ void corner_tile(double first, double height, std::ptrdiff_t rows, double depth,
   for (std::ptrdiff_t j = 0; j < rows; ++j) {
     corners.place((static_cast<double>(j) + 0.5) * height);
     corners.arc(arcs);
-    corners.pressed(Rows(out[normal], j).out);
-    corners.sheared_along_x(Rows(out[shear_x], j).out);
-    corners.sheared_along_y(Rows(out[shear_y], j).out);
+    if (wanted(out[normal])) corners.pressed(Rows(out[normal], j).out);
+    if (wanted(out[shear_x])) corners.sheared_along_x(Rows(out[shear_x], j).out);
+    if (wanted(out[shear_y])) corners.sheared_along_y(Rows(out[shear_y], j).out);
   }
 }
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/parallel.hpp"
 #include "math/gauss_legendre.hpp"
 #include "stress/corner_tile.hpp"
+#include "stress/kernel_columns.hpp"
 #include "transform/mirrored.hpp"
 
 namespace asperity {
@@ -152,7 +154,7 @@ class ImageSum {
 
 class ImageInfluence final : public LayerInfluence {
  public:
-  ImageInfluence(const Resolution& r, double poisson, stress::Tractions acting)
+  ImageInfluence(const Resolution& r, double poisson, stress::Tractions acting, int threads)
       : in_x_(r.cells.periodic.x),
         lags_(r.cells.shape),
         acting_(acting),
@@ -160,12 +162,8 @@ class ImageInfluence final : public LayerInfluence {
                    : ImageSum(r.transform.torus().ny, lags_.nx, r.cells.dy, r.cells.dx, r.taper[0], poisson)),
         along_x_(r.transform.torus().nx),
         along_y_(r.transform.torus().ny),
-        blocks_(r.transform.blocks()),
-        work_(size(std::max(along_x_.size(), along_y_.size()))),
-        spectrum_(size(along_y_.size() + width)) {  // the last block of few columns is read whole
-    for (Traction t : stress::tractions)
-      if (acting[t]) transfer_[t].resize(size(along_x_.size()));
-  }
+        columns_(r.transform.blocks(), acting),
+        work_(size(threads), Work(*this)) {}
 
   void set_depth(double z, stress::Set asked, Index) override {
     std::array<stress::Set, 3> wanted{};
@@ -173,62 +171,81 @@ class ImageInfluence final : public LayerInfluence {
       for (Component c : stress::components)
         if (acting_[t] && asked[c]) wanted[in_x_ ? t : exchanged(t)].set(in_x_ ? c : stress::exchanged(c));
     sum_.compute(z, wanted);
+  }
+
+  void set_component(Component c, KernelRoom room) override {
+    c_ = c;
+    columns_.settle(lags_.nx, room);
     for (Traction t : stress::tractions)
-      for (Component c : stress::components)
-        if (acting_[t] && asked[c]) transform_along_y(t, c);
+      if (acting_[t])
+        parallel_ranges((lags_.nx + width - 1) / width, static_cast<int>(work_.size()),
+                        [&](Index begin, Index end, int worker) {
+                          for (Index first = begin * width; first < end * width; first += width)
+                            transform_along_y(t, first, work_[size(worker)]);
+                        });
   }
 
-  TransferFunction transfer_function(Traction t, Component c, Index b) override {
-    transform(along_x_, parity(odd_in_x(c, t)), by_lags(t, c, b).data(), lags_.nx, transfer_[t].data());
-    return {transfer_[t], along_x_.stride()};
+  TransferFunction transfer_function(Traction t, Index b, int worker) override {
+    Work& work = work_[size(worker)];
+    transform(along_x_, parity(odd_in_x(c_, t)), columns_.block(t, b), lags_.nx, work,
+              work.transfer[t].data());
+    return {work.transfer[t], along_x_.stride()};
   }
 
-  std::span<const double> by_lags(Traction t, Component c, Index b) override {
-    return std::span(columns_[t][c]).subspan(size(b * lags_.nx * width), size(lags_.nx * width));
+  std::span<const double> by_lags(Traction t, Index b) override {
+    return {columns_.block(t, b), size(lags_.nx * width)};
   }
 
  private:
-  // Eight rows at a time.
-  void transform_along_y(Traction t, Component c) {
-    const Field& kernel = in_x_ ? sum_.kernel(t, c) : sum_.kernel(exchanged(t), stress::exchanged(c));
-    columns_[t][c].resize(size(blocks_ * lags_.nx * width));
-    rows_.resize(size(lags_.ny * width));
-    for (Index first = 0; first < lags_.nx; first += width) {
-      const Index count = std::min(width, lags_.nx - first);
-      for (Index j = 0; j < lags_.ny; ++j)
-        for (Index l = 0; l < width; ++l)
-          rows_[size(j * width + l)] = l >= count ? 0 : in_x_ ? kernel(first + l, j) : kernel(j, first + l);
-      transform(along_y_, parity(odd_in_y(c, t)), rows_.data(), lags_.ny, spectrum_.data());
-      for (Index b = 0; b < blocks_; ++b)
-        for (Index l = 0; l < count; ++l) {
-          const Complex* row = spectrum_.data() + l / 2 * along_y_.stride() + b * width;
-          double* column = columns_[t][c].data() + (b * lags_.nx + first + l) * width;
-          const Index modes =
-              std::min(width, along_y_.period() / 2 + 1 - b * width);  // what follows is scratch
-          for (Index q = 0; q < width; ++q)
-            column[q] = q >= modes ? 0 : l % 2 == 0 ? row[q].real() : row[q].imag();
-        }
+  struct Work {
+    explicit Work(const ImageInfluence& of)
+        : rows(size(of.lags_.ny * width)),
+          columns(size(std::max(of.along_x_.size(), of.along_y_.size()))),
+          spectrum(size(of.along_y_.size() + width)) {  // the last block of few columns is read whole
+      for (Traction t : stress::tractions)
+        if (of.acting_[t]) transfer[t].resize(size(of.along_x_.size()));
     }
+
+    AlignedVector<double> rows;
+    AlignedVector<Complex> columns, spectrum;
+    std::array<AlignedVector<Complex>, 3> transfer;  ///< of the block last requested, by traction
+  };
+
+  // Eight rows.
+  void transform_along_y(Traction t, Index first, Work& work) const {
+    const Field& kernel = in_x_ ? sum_.kernel(t, c_) : sum_.kernel(exchanged(t), stress::exchanged(c_));
+    const Index count = std::min(width, lags_.nx - first);
+    for (Index j = 0; j < lags_.ny; ++j)
+      for (Index l = 0; l < width; ++l)
+        work.rows[size(j * width + l)] = l >= count ? 0 : in_x_ ? kernel(first + l, j) : kernel(j, first + l);
+    transform(along_y_, parity(odd_in_y(c_, t)), work.rows.data(), lags_.ny, work, work.spectrum.data());
+    for (Index b = 0; b < columns_.blocks(); ++b)
+      for (Index l = 0; l < count; ++l) {
+        const Complex* row = work.spectrum.data() + l / 2 * along_y_.stride() + b * width;
+        double* column = columns_.block(t, b) + (first + l) * width;
+        const Index modes =
+            std::min(width, along_y_.period() / 2 + 1 - b * width);  // what follows is scratch
+        for (Index q = 0; q < width; ++q)
+          column[q] = q >= modes ? 0 : l % 2 == 0 ? row[q].real() : row[q].imag();
+      }
   }
 
   // Eight interleaved sequences, transformed, by pairs.
-  void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
-                 Complex* pairs) {
+  static void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
+                        Work& work, Complex* pairs) {
     columns_from_rows<MirroredTransform::pairs>(reinterpret_cast<const Complex*>(interleaved), given,
-                                                work_.data(), along.stride());
-    along.apply(parity, work_.data(), given, pairs);
+                                                work.columns.data(), along.stride());
+    along.apply(parity, work.columns.data(), given, pairs);
   }
 
   bool in_x_;
   Shape lags_;
   stress::Tractions acting_;
+  Component c_ = stress::xx;
   ImageSum sum_;
   MirroredTransform along_x_, along_y_;
-  Index blocks_;
-  std::array<std::array<AlignedVector<double>, 6>, 3> columns_;  ///< [block][i][8], transformed along y
-  AlignedVector<double> rows_;
-  AlignedVector<Complex> work_, spectrum_;
-  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last requested, by traction
+  KernelColumns columns_;  ///< transformed along y
+  std::vector<Work> work_;
 };
 
 }  // namespace
@@ -241,8 +258,8 @@ double image_weight(double periods) {
 }
 
 std::unique_ptr<LayerInfluence> make_image_influence(const Resolution& resolution, double poisson,
-                                                     stress::Tractions acting) {
-  return std::make_unique<ImageInfluence>(resolution, poisson, acting);
+                                                     stress::Tractions acting, int threads) {
+  return std::make_unique<ImageInfluence>(resolution, poisson, acting, threads);
 }
 
 }  // namespace asperity

@@ -29,6 +29,6 @@ double image_weight(double periods);
 /// (2) for a resolution whose cells repeat along one axis. by_lags gives the kernel itself, tapered across,
 /// not its corner functions, and may not be requested with fewer lags than there are.
 std::unique_ptr<LayerInfluence> make_image_influence(const Resolution& resolution, double poisson,
-                                                     stress::Tractions acting);
+                                                     stress::Tractions acting, int threads);
 
 }  // namespace asperity

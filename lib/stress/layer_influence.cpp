@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/calibration.hpp"
+#include "core/parallel.hpp"
 #include "stress/corner_tile.hpp"
 #include "stress/images.hpp"
+#include "stress/kernel_columns.hpp"
 #include "stress/wave.hpp"
 #include "transform/mirrored.hpp"
 
@@ -35,150 +38,174 @@ void difference(Parity kernel, double* x, const std::vector<double>& taper, Inde
 // First along y, eight rows i at a time, as the corners come; along x when a block is requested.
 class HalfSpaceInfluence : public LayerInfluence {
  public:
-  HalfSpaceInfluence(const Resolution& r, double poisson, stress::Tractions acting)
+  HalfSpaceInfluence(const Resolution& r, double poisson, stress::Tractions acting, int threads)
       : grid_(r.cells),
         taper_(r.taper),
         poisson_(poisson),
         acting_(acting),
         along_x_(r.transform.torus().nx),
         along_y_(r.transform.torus().ny),
-        blocks_(r.transform.blocks()),
-        rows_(size(grid_.shape.nx * width)),
-        work_(size(std::max(along_x_.size(), along_y_.size()))),
-        along_y_pairs_(size(along_y_.size() + width)) {  // the last block of few columns is read whole
-    for (Traction t : stress::tractions)
-      if (acting[t]) transfer_[t].resize(size(along_x_.size()));
+        work_(size(threads), Work(*this)) {
+    columns_.fill({r.transform.blocks(), acting});
   }
 
   void set_depth(double z, stress::Set asked, Index lags) override {
-    for (Traction t : stress::tractions)
-      for (Component c : stress::components) {
-        const Index needed = acting_[t] && asked[c] ? width : 0;
-        kernels_[t][c].tile.resize(size(needed * grid_.shape.ny));
-        kernels_[t][c].columns.resize(size(needed * blocks_ * grid_.shape.nx));
-      }
-    const Index rows = lags == all_lags ? grid_.shape.nx : lags;
-    for (Index i = 0; i < rows; i += width) {
-      evaluate_corners(i, z);
-      for (Traction t : stress::tractions)
-        for (Component c : stress::components)
-          if (acting_[t] && asked[c]) transform_along_y(t, c, i);
-    }
+    z_ = z;
+    lags_ = lags == all_lags ? grid_.shape.nx : lags;
+    ready_ =
+        asked.count() > 1 && grid_.shape.cells() < calibration::stress::shared_layer ? asked : stress::Set();
+    if (ready_.any()) compute(ready_, {});
   }
 
-  TransferFunction transfer_function(Traction t, Component c, Index b) override {
-    const Index nx = grid_.shape.nx;
-    const Parity along = parity(odd_in_x(c, t));
-    std::ranges::copy(by_lags(t, c, b), rows_.begin());
-    difference(along, rows_.data(), taper_[0], along_x_.period());
-    transform(along_x_, along, rows_.data(), nx, transfer_[t].data());
-    return {transfer_[t], along_x_.stride()};
+  void set_component(Component c, KernelRoom room) override {
+    c_ = c;
+    if (!ready_[c]) compute(stress::Set().set(c), room);
   }
 
-  std::span<const double> by_lags(Traction t, Component c, Index b) override {
-    const Index count = grid_.shape.nx * width;
-    return std::span(kernels_[t][c].columns).subspan(size(b * count), size(count));
+  TransferFunction transfer_function(Traction t, Index b, int worker) override {
+    Work& work = work_[size(worker)];
+    const Parity along = parity(odd_in_x(c_, t));
+    std::copy_n(columns_[c_].block(t, b), work.rows.size(), work.rows.begin());
+    difference(along, work.rows.data(), taper_[0], along_x_.period());
+    transform(along_x_, along, work.rows.data(), grid_.shape.nx, work, work.transfer[t].data());
+    return {work.transfer[t], along_x_.stride()};
+  }
+
+  std::span<const double> by_lags(Traction t, Index b) override {
+    return {columns_[c_].block(t, b), size(lags_ * width)};
   }
 
  private:
-  struct Kernel {
-    AlignedVector<double> tile;     ///< eight rows: [j][8]
-    AlignedVector<double> columns;  ///< [block][i][8], transformed along y only
+  struct Work {
+    explicit Work(const HalfSpaceInfluence& of)
+        : rows(size(of.grid_.shape.nx * width)),
+          columns(size(std::max(of.along_x_.size(), of.along_y_.size()))),
+          along_y_pairs(size(of.along_y_.size() + width)) {  // the last block of few columns is read whole
+      for (Traction t : stress::tractions)
+        if (of.acting_[t]) {
+          transfer[t].resize(size(of.along_x_.size()));
+        }
+    }
+
+    std::array<std::array<AlignedVector<double>, 6>, 3> tile;  ///< eight rows: [j][8]
+    AlignedVector<double> rows;
+    AlignedVector<Complex> columns, along_y_pairs;
+    std::array<AlignedVector<Complex>, 3> transfer;  ///< of the block last requested, by traction
   };
 
-  void evaluate_corners(Index i, double z) {
-    double* out[3][6];
-    for (Traction t : stress::tractions)
-      for (Component c : stress::components)
-        out[t][c] = kernels_[t][c].tile.empty() ? nullptr : kernels_[t][c].tile.data();
-    corner_tile(static_cast<double>(i) + 0.5, grid_.dy / grid_.dx, grid_.shape.ny, z / grid_.dx, poisson_,
-                out);
+  // Kernels that are evaluated together share their roots and arcs.
+  void compute(stress::Set asked, KernelRoom room) {
+    for (Component c : stress::components)
+      if (asked[c]) columns_[c].settle(lags_, room);
+    parallel_ranges((lags_ + width - 1) / width, static_cast<int>(work_.size()),
+                    [&](Index begin, Index end, int worker) {
+                      for (Index i = begin * width; i < end * width; i += width)
+                        transform_rows(asked, i, work_[size(worker)]);
+                    });
   }
 
-  void transform_along_y(Traction t, Component c, Index first_row) {
-    double* tile = kernels_[t][c].tile.data();
+  void transform_rows(stress::Set asked, Index first_row, Work& work) const {
+    double* out[3][6] = {};
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components) {
+        if (!acting_[t] || !asked[c]) continue;
+        work.tile[t][c].resize(size(width * grid_.shape.ny));
+        out[t][c] = work.tile[t][c].data();
+      }
+    corner_tile(static_cast<double>(first_row) + 0.5, grid_.dy / grid_.dx, grid_.shape.ny, z_ / grid_.dx,
+                poisson_, out);
+    for (Traction t : stress::tractions)
+      for (Component c : stress::components)
+        if (out[t][c] != nullptr) transform_along_y(t, c, first_row, work);
+  }
+
+  void transform_along_y(Traction t, Component c, Index first_row, Work& work) const {
+    double* tile = work.tile[t][c].data();
     const Parity along = parity(odd_in_y(c, t));
     difference(along, tile, taper_[1], along_y_.period());
-    transform(along_y_, along, tile, grid_.shape.ny, along_y_pairs_.data());
-    const Index rows = std::min(width, grid_.shape.nx - first_row);
-    for (Index b = 0; b < blocks_; ++b)
+    transform(along_y_, along, tile, grid_.shape.ny, work, work.along_y_pairs.data());
+    const Index rows = std::min(width, lags_ - first_row);
+    for (Index b = 0; b < columns_[c].blocks(); ++b)
       for (Index l = 0; l < rows; ++l) {
-        const auto* row =
-            reinterpret_cast<const double*>(along_y_pairs_.data() + l / 2 * along_y_.stride() + b * width);
-        double* column = kernels_[t][c].columns.data() + (b * grid_.shape.nx + first_row + l) * width;
+        const auto* row = reinterpret_cast<const double*>(work.along_y_pairs.data() +
+                                                          l / 2 * along_y_.stride() + b * width);
+        double* column = columns_[c].block(t, b) + (first_row + l) * width;
         for (Index q = 0; q < width; ++q) column[q] = scale * row[2 * q + l % 2];
       }
   }
 
   // Eight interleaved sequences, transformed, by pairs.
-  void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
-                 Complex* pairs) {
+  static void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
+                        Work& work, Complex* pairs) {
     columns_from_rows<MirroredTransform::pairs>(reinterpret_cast<const Complex*>(interleaved), given,
-                                                work_.data(), along.stride());
-    along.apply(parity, work_.data(), given, pairs);
+                                                work.columns.data(), along.stride());
+    along.apply(parity, work.columns.data(), given, pairs);
   }
 
   Grid grid_;
   std::array<std::vector<double>, 2> taper_;
-  double poisson_;
+  double poisson_, z_ = 0;
   stress::Tractions acting_;
+  Component c_ = stress::xx;
+  Index lags_ = 0;
   MirroredTransform along_x_, along_y_;
-  Index blocks_;
-  std::array<std::array<Kernel, 6>, 3> kernels_;  ///< [traction][component]
-  AlignedVector<double> rows_;
-  AlignedVector<Complex> work_, along_y_pairs_;
-  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last requested, by traction
+  std::array<KernelColumns, 6> columns_;  ///< transformed along y only
+  stress::Set ready_;                     ///< of a small layer: computed together
+  std::vector<Work> work_;
 };
 
 class PeriodicInfluence : public LayerInfluence {
  public:
-  PeriodicInfluence(const Grid& grid, double poisson, stress::Tractions acting)
-      : grid_(grid), poisson_(poisson), stride_(grid.shape.nx / 2 + 1) {
-    for (Traction t : stress::tractions)
-      if (acting[t]) transfer_[t].resize(size(stride_ * width / 2));
+  PeriodicInfluence(const Grid& grid, double poisson, stress::Tractions acting, int threads)
+      : grid_(grid), poisson_(poisson), stride_(grid.shape.nx / 2 + 1), transfer_(size(threads)) {
+    for (auto& transfer : transfer_)
+      for (Traction t : stress::tractions)
+        if (acting[t]) transfer[t].resize(size(stride_ * width / 2));
   }
 
   void set_depth(double z, stress::Set, Index) override { z_ = z; }
+  void set_component(Component c, KernelRoom) override { c_ = c; }
 
-  TransferFunction transfer_function(Traction t, Component c, Index b) override {
+  TransferFunction transfer_function(Traction t, Index b, int worker) override {
+    AlignedVector<Complex>& transfer = transfer_[size(worker)][t];
     for (Index q = 0; q < width; q += 2)
       for (Index kx = 0; kx < stride_; ++kx)
-        transfer_[t][size(q / 2 * stride_ + kx)] = {mode(t, c, kx, b * width + q),
-                                                    mode(t, c, kx, b * width + q + 1)};
-    return {transfer_[t], stride_};
+        transfer[size(q / 2 * stride_ + kx)] = {mode(t, kx, b * width + q), mode(t, kx, b * width + q + 1)};
+    return {transfer, stride_};
   }
 
-  std::span<const double> by_lags(Traction t, Component c, Index b) override {
+  std::span<const double> by_lags(Traction t, Index b) override {
     modes_.resize(size(stride_ * width));
     for (Index kx = 0; kx < stride_; ++kx)
-      for (Index q = 0; q < width; ++q) modes_[size(kx * width + q)] = mode(t, c, kx, b * width + q);
+      for (Index q = 0; q < width; ++q) modes_[size(kx * width + q)] = mode(t, kx, b * width + q);
     return modes_;
   }
 
  private:
-  double mode(Traction t, Component c, Index kx, Index ky) const {
+  double mode(Traction t, Index kx, Index ky) const {
     const bool nyquist_x = 2 * kx == grid_.shape.nx, nyquist_y = 2 * ky == grid_.shape.ny;
-    if ((odd_in_x(c, t) && nyquist_x) || (odd_in_y(c, t) && nyquist_y)) return 0;
+    if ((odd_in_x(c_, t) && nyquist_x) || (odd_in_y(c_, t) && nyquist_y)) return 0;
     const double qx = 2 * std::numbers::pi * static_cast<double>(kx) / grid_.size_x();
     const double qy = 2 * std::numbers::pi * static_cast<double>(ky) / grid_.size_y();
-    return stress::Wave{qx, qy, z_, poisson_}(t, c);
+    return stress::Wave{qx, qy, z_, poisson_}(t, c_);
   }
 
   Grid grid_;
   double poisson_, z_ = 0;
+  Component c_ = stress::xx;
   Index stride_;
-  std::array<AlignedVector<Complex>, 3> transfer_;  ///< of the block last requested, by traction
-  AlignedVector<double> modes_;                     ///< likewise
+  std::vector<std::array<AlignedVector<Complex>, 3>> transfer_;  ///< of each worker's last block, by traction
+  AlignedVector<double> modes_;                                  ///< likewise
 };
 
 }  // namespace
 
 std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
-                                                     stress::Tractions acting) {
+                                                     stress::Tractions acting, int threads) {
   if (resolution.cells.periodic.both())
-    return std::make_unique<PeriodicInfluence>(resolution.cells, poisson, acting);
-  if (resolution.cells.periodic.any()) return make_image_influence(resolution, poisson, acting);
-  return std::make_unique<HalfSpaceInfluence>(resolution, poisson, acting);
+    return std::make_unique<PeriodicInfluence>(resolution.cells, poisson, acting, threads);
+  if (resolution.cells.periodic.any()) return make_image_influence(resolution, poisson, acting, threads);
+  return std::make_unique<HalfSpaceInfluence>(resolution, poisson, acting, threads);
 }
 
 }  // namespace asperity

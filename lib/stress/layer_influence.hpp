@@ -19,7 +19,7 @@
 ///
 /// Symbols   qx, qy  wave numbers [1/m]     z  depth [m]     ν  Poisson's number     p^  spectrum of p
 /// Cost      (2): nx ny corners and, per component and traction, half the complex transforms of the kernel;
-///           (3), (4): one exponential a mode, component and traction.
+///           (3), (4): one exponential a mode, component and traction. Memory: (2) nx ny doubles a traction.
 ///
 /// [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 13.
 #pragma once
@@ -32,7 +32,14 @@
 
 namespace asperity {
 
-/// The transfer functions of one layer after the other; an object holds the work space of one thread.
+/// Where kernels may lie: in every block of columns, `stride` doubles after the one before, all of it.
+struct KernelRoom {
+  double* first = nullptr;
+  Index stride = 0;
+};
+
+/// The transfer functions of one layer after the other, component by component; those of different blocks
+/// may be requested by several threads, `worker` < threads telling them apart.
 class LayerInfluence {
  public:
   static constexpr Index width = 8;  ///< columns ky in a block
@@ -46,18 +53,20 @@ class LayerInfluence {
   };
 
   virtual ~LayerInfluence() = default;
-  /// Goes to depth z [m] for the components asked; for the first `lags` alone, and then only for by_lags().
+  /// Goes to depth z [m], for the components asked; for the first `lags` alone, and then only for by_lags().
   virtual void set_depth(double z, stress::Set asked, Index lags = all_lags) = 0;
-  /// S of component c under traction t for the columns 8b … 8b+7; good until the next of the same traction.
-  virtual TransferFunction transfer_function(stress::Traction t, stress::Component c, Index b) = 0;
+  /// Goes to one of them. Its kernels may lie in `room`; a block is not read after its transfer functions.
+  virtual void set_component(stress::Component c, KernelRoom room = {}) = 0;
+  /// S under traction t for the columns 8b … 8b+7; good until the worker's next of the same traction.
+  virtual TransferFunction transfer_function(stress::Traction t, Index b, int worker = 0) = 0;
   /// What the load seen from a plane x = const is multiplied with (stress/section.cpp), [m][8]: of (2), for
   /// the lag m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), S at m
-  virtual std::span<const double> by_lags(stress::Traction t, stress::Component c, Index b) = 0;
+  virtual std::span<const double> by_lags(stress::Traction t, Index b) = 0;
 };
 
 /// Cells of this resolution under the acting tractions: (3), (4) when periodic, else (2), tapered; where they
 /// are periodic along one axis, that of stress/images.hpp.
 std::unique_ptr<LayerInfluence> make_layer_influence(const Resolution& resolution, double poisson,
-                                                     stress::Tractions acting);
+                                                     stress::Tractions acting, int threads = 1);
 
 }  // namespace asperity

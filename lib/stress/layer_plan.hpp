@@ -1,6 +1,7 @@
-/// How the layers of one resolution are computed: a plan that is made once, and the work of one thread on it.
+/// How the layers of one resolution are computed: a plan that is made once, and the work on one layer.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "stress/layer_influence.hpp"
@@ -14,14 +15,15 @@ struct Plane {
   Index index = 0;
 };
 
+using StressRowSink = std::function<void(Index i, const StressRow& values)>;
+
 /// One layer after the other, in buffers of its own.
 class LayerWork {
  public:
   virtual ~LayerWork() = default;
-  /// Goes to depth z [m] for the components asked.
-  virtual void set_depth(double z, stress::Set asked) = 0;
-  /// Row i of the layer, good until the next; to be called for i = 0, 1, 2 …
-  virtual StressRow row(Index i) = 0;
+  /// Hands over the rows of the layer at depth z [m] with the components asked: in order on one thread, on
+  /// several in any order and at the same time.
+  virtual void layer(double z, stress::Set asked, const StressRowSink& row) = 0;
 };
 
 /// The load as cells s times as wide see it (stress/resolution.hpp).
@@ -32,10 +34,11 @@ struct LayerPlan {
         poisson(body.poisson),
         weights(body.friction.weights()) {}
   virtual ~LayerPlan() = default;
-  virtual std::unique_ptr<LayerWork> work() const = 0;
+  /// On so many threads; for no longer than the plan lives.
+  virtual std::unique_ptr<LayerWork> work(int threads) const = 0;
 
-  std::unique_ptr<LayerInfluence> influence() const {
-    return make_layer_influence(resolution, poisson, acting(weights));
+  std::unique_ptr<LayerInfluence> influence(int threads) const {
+    return make_layer_influence(resolution, poisson, acting(weights), threads);
   }
 
   const Shape shape;  ///< of a layer

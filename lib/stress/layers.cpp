@@ -8,7 +8,7 @@ namespace asperity {
 
 StressSolver::StressSolver(LoadedBody body, std::optional<Plane> section, int threads,
                            DepthResolution resolution)
-    : body_(std::move(body)), section_(section), threads_(threads), levels_(1) {
+    : body_(std::move(body)), section_(section), threads_(std::max(threads, 1)), levels_(1) {
   body_.check();
   if (resolution == DepthResolution::full) return;
   for (Index s = 2; Resolution::possible(body_.grid, s); s *= 2) levels_.emplace_back().s = s;
@@ -26,32 +26,68 @@ std::size_t StressSolver::level_at(double z) const {
   return level;
 }
 
-const LayerPlan& StressSolver::plan(Level& level) const {
-  std::call_once(level.asked, [&] {
+std::shared_ptr<const LayerPlan> StressSolver::plan(Level& level) const {
+  const std::scoped_lock lock(level.mutex);
+  if (!level.plan)
     level.plan =
         section_ ? plan_section(body_, *section_, level.s, threads_) : plan_volume(body_, level.s, threads_);
-  });
-  return *level.plan;
+  return level.plan;
 }
 
 void StressSolver::layer(double z, stress::Set asked, Workspace& work, const StressRowSink& row) const {
   check_depth(z);
   const std::size_t level = level_at(z);
   work.levels_.resize(levels_.size());
-  std::unique_ptr<LayerWork>& at_level = work.levels_[level];
-  if (!at_level) at_level = plan(levels_[level]).work();
-  at_level->set_depth(z, asked);
-  for (Index i = 0; i < shape().nx; ++i) row(i, at_level->row(i));
+  Workspace::Level& own = work.levels_[level];
+  if (!own.work) {
+    own.plan = plan(levels_[level]);
+    own.work = own.plan->work(work.threads_);
+  }
+  own.work->layer(z, asked, row);
+}
+
+// Sections are short; the sum over images (stress/images.hpp) is one thread's work.
+bool StressSolver::together() const {
+  return threads_ <= 1 ||
+         (!section_ && !body_.grid.periodic.one() && shape().cells() >= calibration::stress::shared_layer);
+}
+
+void StressSolver::release(const std::vector<double>& depths, Index next, Workspace& work) const {
+  std::vector<bool> needed(levels_.size());
+  for (std::size_t l = size(next); l < depths.size(); ++l) needed[level_at(depths[l])] = true;
+  for (std::size_t level = 0; level < work.levels_.size(); ++level) {
+    if (needed[level] || !work.levels_[level].work) continue;
+    work.levels_[level] = {};
+    const std::scoped_lock lock(levels_[level].mutex);
+    levels_[level].plan.reset();
+  }
+}
+
+void StressSolver::each_layer(const std::vector<double>& depths, const LayerJob& job,
+                              const LayersFinished& finished) const {
+  const auto count = static_cast<Index>(depths.size());
+  if (!together()) {
+    std::vector<Workspace> work(size(threads_));
+    in_layers(
+        count, threads_, [&](Index l, int worker) { job(l, work[size(worker)]); }, finished);
+    return;
+  }
+  Workspace work(threads_);
+  for (Index l = 0; l < count; ++l) {
+    job(l, work);
+    if (l + 1 < count) release(depths, l + 1, work);
+    if (finished) finished(l, l + 1);
+  }
 }
 
 void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row,
                           const LayersFinished& finished) const {
-  std::vector<Workspace> work(static_cast<std::size_t>(std::max(threads_, 1)));
-  auto compute = [&](Index l, int worker) {
-    layer(depths[static_cast<std::size_t>(l)], asked, work[static_cast<std::size_t>(worker)],
-          [&](Index i, const StressRow& values) { row(l, i, values); });
-  };
-  in_layers(static_cast<Index>(depths.size()), threads_, compute, finished);
+  each_layer(
+      depths,
+      [&](Index l, Workspace& work) {
+        layer(depths[size(l)], asked, work, [&](Index i, const StressRow& values) { row(l, i, values); });
+      },
+      finished);
 }
 
 double accurate_depth(const Grid& grid) {

@@ -6,9 +6,9 @@
 /// (stress/load.hpp) adds its own influence to K_c; being in proportion to the pressure, it needs no
 /// transform of its own. The pressure is transformed once. Then, for a layer:
 ///     influence → per block of eight columns: transfer function, product with p^, transform back in x
-///               → per row: transform back in y; six components of one row are handed over while hot.
-/// Only the requested components are computed, and only rows leave a layer: the von Mises stress of a volume
-/// needs the memory of a layer. Deep layers may be computed from wider cells (stress/resolution.hpp).
+///               → per row: transform back in y,
+/// for one component after the other, and only rows leave a layer. Deep layers may be computed from wider
+/// cells (stress/resolution.hpp).
 ///
 /// A section, the vertical plane x = x_i or y = y_j through cell centres, needs one row of each layer: it
 /// comes from the influence transformed along the plane alone (stress/section.cpp).
@@ -21,8 +21,10 @@
 ///           wider, sections and volumes differ by 1e-7 max p.
 /// Cost      per layer and component about one padded complex transform of half the torus; six components of
 ///           128 × 128 cells take 8-10 padded real transforms, 3 ms; with friction along an axis 1.5 times as
-///           long, in another direction twice. Two threads 1.75 times as fast. Memory: 4 N doubles for the
-///           pressure and less for each coarse level, and per thread 3 N for each component asked, N = nx ny.
+///           long, in another direction twice. Two threads 1.75 times as fast.
+/// Memory    on N = nx ny cells 4 N doubles for the pressure and 2 N for a component, and N more for each
+///           further one in the same layer(): 6 N one by one, 11 N for all at once; N more with friction in a
+///           direction between the axes. Threads share it, on less than 512² cells each has its own layer.
 ///           A section costs a seventh of the volume, with wider cells a fifth, less the more the load is
 ///           gathered about it; its memory is below that of a layer.
 ///
@@ -31,6 +33,7 @@
 
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -40,7 +43,6 @@
 
 namespace asperity {
 
-using StressRowSink = std::function<void(Index i, const StressRow& values)>;
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
 enum class DepthResolution {
@@ -63,30 +65,48 @@ class StressSolver {
 
   /// What one thread needs to compute layers of one solver; may be used again for any depth and components.
   class Workspace {
+   public:
+    explicit Workspace(int threads = 1) : threads_(threads) {}
+
+   private:
     friend class StressSolver;
-    std::vector<std::unique_ptr<LayerWork>> levels_;  ///< made when they are needed
+    struct Level {
+      std::shared_ptr<const LayerPlan> plan;
+      std::unique_ptr<LayerWork> work;
+    };
+    int threads_;
+    std::vector<Level> levels_;  ///< made when they are needed
   };
 
-  /// The layer at depth z, row after row. Throws as check_depth does.
+  /// The layer at depth z, row after row; if the workspace has several threads, rows come from all of them,
+  /// in any order and at the same time. Throws as check_depth does.
   void layer(double z, stress::Set asked, Workspace& work, const StressRowSink& row) const;
 
-  /// Many layers on all threads, at most as many at a time as there are threads: row(layer, i, values) is
-  /// called from several threads at once, for one layer from one thread and in order; finished(begin, end)
-  /// from the calling thread when the layers before `end` are complete.
+  using LayerJob = std::function<void(Index layer, Workspace& work)>;
+  /// Many layers on all threads: job(l, work) calls layer() for depths[l] as often as it wants. At most as
+  /// many jobs are begun as there are threads and not finished: finished(begin, end) is called from the
+  /// calling thread when the layers before `end` are complete.
+  void each_layer(const std::vector<double>& depths, const LayerJob& job,
+                  const LayersFinished& finished = {}) const;
+  /// The same with one call for each: row(layer, i, values), from several threads at once.
   void layers(const std::vector<double>& depths, stress::Set asked, const LayerRowSink& row,
               const LayersFinished& finished = {}) const;
 
  private:
-  /// One resolution, its plan made when the first layer needs it.
+  /// One resolution, its plan made when a layer needs it.
   struct Level {
     Index s = 1;
-    std::once_flag asked;
-    std::unique_ptr<const LayerPlan> plan;
+    std::mutex mutex = {};
+    std::shared_ptr<const LayerPlan> plan = {};
   };
 
   /// The widest cells that will do at depth z.
   std::size_t level_at(double z) const;
-  const LayerPlan& plan(Level& level) const;
+  std::shared_ptr<const LayerPlan> plan(Level& level) const;
+  /// Whether all threads work on one layer, so that there are buffers for one.
+  bool together() const;
+  /// Gives back what the layers from number `next` on do not need.
+  void release(const std::vector<double>& depths, Index next, Workspace& work) const;
 
   LoadedBody body_;
   std::optional<Plane> section_;

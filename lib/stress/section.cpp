@@ -81,7 +81,7 @@ struct SectionPlan : LayerPlan {
     fold(phases(resolution, i), threads);
   }
 
-  std::unique_ptr<LayerWork> work() const override;
+  std::unique_ptr<LayerWork> work(int threads) const override;
 
   // sum[0 … 7] += Re, sum[8 … 15] += Im of Σ_m f(m, ky) D±(m, ky) for the columns 8b … 8b+7, f as [m][8].
   void add(std::span<const double> f, bool odd, Index b, std::span<double, 2 * width> sum) const {
@@ -174,15 +174,15 @@ struct SectionPlan : LayerPlan {
 
 class SectionWork : public LayerWork {
  public:
-  explicit SectionWork(const SectionPlan& plan)
+  SectionWork(const SectionPlan& plan, int threads)
       : plan_(plan),
-        influence_(plan.influence()),
+        influence_(plan.influence(threads)),
         transform_(plan.resolution.transform.torus().ny),
         row_work_(transform_.work()),
         modes_(size(transform_.blocks() * 6 * width)),
         samples_(size(6 * plan.resolution.row_length())) {}
 
-  void set_depth(double z, stress::Set asked) override {
+  void layer(double z, stress::Set asked, const StressRowSink& row) override {
     asked_ = {};
     for (Component c : stress::components) asked_[c] = asked[own(c)];
     influence_->set_depth(z, asked_, plan_.lag_count);
@@ -191,14 +191,11 @@ class SectionWork : public LayerWork {
       if (asked_[c]) compute_modes(c, count++);
     transform_.inverse(modes_.data(), 6 * width, count, transform_.points(),
                        samples_.data() + Interpolation::before, plan_.resolution.row_length(), row_work_);
-  }
-
-  StressRow row(Index) override {
-    StressRow out{};
-    Index count = 0;
+    StressRow values{};
+    count = 0;
     for (Component c : stress::components)
-      if (asked_[c]) out[own(c)] = {row_of(c, count++), size(plan_.shape.ny)};
-    return out;
+      if (asked_[c]) values[own(c)] = {row_of(c, count++), size(plan_.shape.ny)};
+    row(0, values);
   }
 
  private:
@@ -218,13 +215,14 @@ class SectionWork : public LayerWork {
   // Row r of the modes: component c.
   void compute_modes(Component c, Index r) {
     const LoadWeights& weights = plan_.weights;
+    influence_->set_component(c);
     for (Index b = 0; b < transform_.blocks(); ++b) {
       Complex* to = modes_.data() + (6 * b + r) * width;
       std::fill_n(to, width, Complex{});
       for (stress::Traction t : stress::tractions) {
         if (weights[t] == 0) continue;
         std::array<double, 2 * width> sum{};
-        plan_.add(influence_->by_lags(t, c, b), odd_in_x(c, t), b, sum);
+        plan_.add(influence_->by_lags(t, b), odd_in_x(c, t), b, sum);
         const Complex factor = odd_in_y(c, t) ? Complex{0, -weights[t]} : Complex{weights[t], 0};
         for (std::size_t q = 0; q < width; ++q) to[q] += factor * Complex{sum[q], sum[width + q]};
       }
@@ -241,7 +239,9 @@ class SectionWork : public LayerWork {
   std::array<AlignedVector<double>, 6> refined_;
 };
 
-std::unique_ptr<LayerWork> SectionPlan::work() const { return std::make_unique<SectionWork>(*this); }
+std::unique_ptr<LayerWork> SectionPlan::work(int threads) const {
+  return std::make_unique<SectionWork>(*this, threads);
+}
 
 }  // namespace
 

@@ -1,5 +1,13 @@
+// A layer, one component after the other.
+//
+// A component's modes take twice the memory of its values, 2 N doubles, and there is room for those of one:
+// what is wanted beside others is transformed back to N values at once, or N/s² where cells are s times as
+// wide, and the last component's rows go from the modes to the caller. Kernels lie where the modes will be
+// (stress/kernel_columns.hpp).
 #include <algorithm>
 
+#include "core/large_field.hpp"
+#include "core/parallel.hpp"
 #include "stress/layer_plan.hpp"
 
 namespace asperity {
@@ -11,9 +19,6 @@ using Transfer = std::array<LayerInfluence::TransferFunction, 3>;
 
 constexpr Index width = PrunedTransform::width, before = Interpolation::before;
 static_assert(width == LayerInfluence::width);
-
-// Between rows of eight.
-Index apart(Index ny) { return (ny + width - 1) / width * width; }
 
 // -i a z.
 Complex times_minus_i(double a, const Complex& z) { return {a * z.imag(), -a * z.real()}; }
@@ -72,10 +77,11 @@ void respond(Index nx, Component c, const Column& column, const Complex* p, Comp
 // A traction μx p along x and μy p along y has the modes of the pressure itself, so that of each mode
 //     σ^ = (-i)^m (S + iT) p^,   T = ±μx X ± μy Y,
 // X and Y the transfer functions of the tractions, a factor i from S for the one parity in which they differ.
-void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Index b, Complex* product) {
+void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Index b, int worker,
+             Complex* product) {
   Transfer transfer{};
   for (stress::Traction t : stress::tractions)
-    if (plan.weights[t] != 0) transfer[t] = influence.transfer_function(t, c, b);
+    if (plan.weights[t] != 0) transfer[t] = influence.transfer_function(t, b, worker);
   const PrunedTransform& transform = plan.resolution.transform;
   for (Index q = 0; q < width; ++q)
     respond(transform.torus().nx, c, Column(transfer, plan.weights, c, q),
@@ -84,107 +90,155 @@ void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Inde
 
 class VolumeWork : public LayerWork {
  public:
-  explicit VolumeWork(const LayerPlan& plan)
+  VolumeWork(const LayerPlan& plan, int threads)
       : plan_(plan),
         resolution_(plan.resolution),
         transform_(resolution_.transform),
         shape_(plan.shape),
-        influence_(plan.influence()),
-        block_(size(transform_.block_size())),
-        work_(block_.size()),
-        row_work_(transform_.row_work()) {}
+        threads_(threads),
+        influence_(plan.influence(threads)),
+        half_(transform_.half_spectrum()),
+        buffers_(size(threads), Buffers(*this)) {}
 
-  void set_depth(double z, stress::Set asked) override {
-    asked_ = asked;
-    allocate();
+  void layer(double z, stress::Set asked, const StressRowSink& row) override {
     influence_->set_depth(z, asked);
-    for (Index b = 0; b < transform_.blocks(); ++b)
-      for (Component c : stress::components) {
-        if (!asked[c]) continue;
-        respond(*influence_, plan_, c, b, block_.data());
-        transform_.inverse_block(block_.data(), b, half_[c], work_.data());
-      }
-    if (wide())
-      for (Component c : stress::components)
-        if (asked[c]) invert_points(c);
-  }
-
-  StressRow row(Index i) override {
-    StressRow out{};
+    StressRow (VolumeWork::*row_at)(stress::Set, Index, Buffers&) const =
+        wide() ? &VolumeWork::interpolated : &VolumeWork::inverted;
     for (Component c : stress::components)
-      if (asked_[c]) out[c] = {wide() ? interpolated(c, i) : inverted(c, i), size(shape_.ny)};
-    return out;
+      if (asked[c]) last_ = c;
+    for (Component c : stress::components) {
+      if (!asked[c]) continue;
+      compute_modes(c);
+      if (wide())
+        invert_points(c);
+      else if (c != last_)
+        invert(c);
+    }
+    by_groups(shape_.nx, [&](Index first, Index count, Buffers& buffers) {
+      for (Index i = first; i < first + count; ++i) row(i, (this->*row_at)(asked, i, buffers));
+    });
   }
 
  private:
+  static constexpr Index group = RowTransform::rows;
+
+  // Of one thread.
+  struct Buffers {
+    explicit Buffers(const VolumeWork& of)
+        : block(size(of.transform_.block_size())),
+          work(block.size()),
+          row_work(of.transform_.row_work()),
+          rows(size(group * (of.wide() ? of.resolution_.row_length() : of.shape_.ny))) {}
+
+    AlignedVector<Complex> block, work;
+    RowTransform::Work row_work;
+    AlignedVector<double> rows;                    ///< eight
+    std::array<AlignedVector<double>, 6> refined;  ///< a row at every cell
+  };
+
   bool wide() const { return resolution_.s > 1; }
 
-  void allocate() {
-    const Index rows =
-        wide() ? resolution_.interpolation.padded(shape_.ny) : RowTransform::rows * apart(shape_.ny);
-    for (Component c : stress::components) {
-      if (!asked_[c] || !half_[c].empty()) continue;
-      half_[c] = transform_.half_spectrum();
-      rows_[c].resize(size(rows));
-      if (wide()) points_[c].resize(size(transform_.torus().nx * resolution_.row_length()));
-    }
-    if (wide()) across_.resize(size(resolution_.row_length()));
+  // visit(first, count, buffers) for groups of neighbouring rows.
+  template <class Visit>
+  void by_groups(Index rows, Visit visit) {
+    parallel_ranges((rows + group - 1) / group, threads_, [&](Index begin, Index end, int worker) {
+      for (Index first = begin * group; first < std::min(end * group, rows); first += group)
+        visit(first, std::min(group, rows - first), buffers_[size(worker)]);
+    });
   }
 
-  // Eight rows are transformed back at a time.
-  const double* inverted(Component c, Index i) {
-    const Index in_group = i % RowTransform::rows;
+  void compute_modes(Component c) {
+    const Index block = 2 * width * transform_.field().nx;
+    influence_->set_component(c, {reinterpret_cast<double*>(half_.data()), block});
+    parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int worker) {
+      Buffers& own = buffers_[size(worker)];
+      for (Index b = begin; b < end; ++b) {
+        respond(*influence_, plan_, c, b, worker, own.block.data());
+        transform_.inverse_block(own.block.data(), b, half_, own.work.data());
+      }
+    });
+  }
+
+  void invert(Component c) {
+    Field& values = values_[c];
+    if (values.size() == 0) values = large_field(shape_);
+    by_groups(shape_.nx, [&](Index first, Index count, Buffers& buffers) {
+      transform_.inverse_group(half_, first, count, shape_.ny, values.row(first).data(), shape_.ny,
+                               buffers.row_work);
+    });
+  }
+
+  // Of the last component eight rows are transformed back at a time.
+  StressRow inverted(stress::Set asked, Index i, Buffers& buffers) const {
+    const Index in_group = i % group;
     if (in_group == 0)
-      transform_.inverse_group(half_[c], i, std::min(RowTransform::rows, shape_.nx - i), shape_.ny,
-                               rows_[c].data(), apart(shape_.ny), row_work_);
-    return rows_[c].data() + in_group * apart(shape_.ny);
+      transform_.inverse_group(half_, i, std::min(group, shape_.nx - i), shape_.ny, buffers.rows.data(),
+                               shape_.ny, buffers.row_work);
+    StressRow out{};
+    for (Component c : stress::components)
+      if (asked[c])
+        out[c] = {c == last_ ? buffers.rows.data() + in_group * shape_.ny : values_[c].row(i).data(),
+                  size(shape_.ny)};
+    return out;
   }
 
-  // The rows of a wide layer around the cells, from `before` ahead of the first.
+  // The points of a wide layer around the cells, from `before` ahead of the first, in x and in y.
   void invert_points(Component c) {
     const auto [px, py] = transform_.torus();
     const Index end = std::min((shape_.nx - 1) / resolution_.s + Interpolation::taps, px) - before;
-    const Index stride = resolution_.row_length();
-    auto invert = [&, py = py](Index first, Index count, double* to) {
-      transform_.inverse_group(half_[c], first, count, py, to + before, stride, row_work_);
-      for (Index r = 0; r < count; ++r) resolution_.wrap({to + r * stride, size(stride)});
+    const Index stride = resolution_.row_length(),
+                samples = std::min((shape_.ny - 1) / resolution_.s + 2 * Interpolation::taps, stride);
+    Field& points = values_[c];
+    if (points.size() == 0) points.resize(before + end, samples);
+    auto invert = [&, py = py](Index first, Index count, Index to, Buffers& buffers) {
+      double* rows = buffers.rows.data();
+      transform_.inverse_group(half_, first, count, py, rows + before, stride, buffers.row_work);
+      for (Index r = 0; r < count; ++r) {
+        resolution_.wrap({rows + r * stride, size(stride)});
+        std::copy_n(rows + r * stride, samples, points.row(to + r).data());
+      }
     };
-    invert(px - before, before, points_[c].data());
-    for (Index i = 0; i < end; i += RowTransform::rows)
-      invert(i, std::min(RowTransform::rows, end - i), points_[c].data() + (before + i) * stride);
+    invert(px - before, before, 0, buffers_[0]);
+    by_groups(end,
+              [&](Index first, Index count, Buffers& own) { invert(first, count, before + first, own); });
   }
 
-  const double* interpolated(Component c, Index i) {
+  StressRow interpolated(stress::Set asked, Index i, Buffers& buffers) const {
     const double* weights = resolution_.interpolation.weights(i % resolution_.s);
-    const Index px = transform_.torus().nx, m = i / resolution_.s, stride = resolution_.row_length();
-    const Index samples = std::min((shape_.ny - 1) / resolution_.s + 2 * Interpolation::taps, stride);
-    using Points = Eigen::Map<const Eigen::ArrayXd>;
-    auto row_at = [&](Index t) { return Points(points_[c].data() + (m + t) % px * stride, samples); };
+    const Index px = transform_.torus().nx, m = i / resolution_.s;
     static_assert(Interpolation::taps == 8);
-    Eigen::Map<Eigen::ArrayXd>(across_.data(), samples) =
-        weights[0] * row_at(0) + weights[1] * row_at(1) + weights[2] * row_at(2) + weights[3] * row_at(3) +
-        weights[4] * row_at(4) + weights[5] * row_at(5) + weights[6] * row_at(6) + weights[7] * row_at(7);
-    resolution_.interpolation.refine(across_.data(), shape_.ny, rows_[c].data());
-    return rows_[c].data();
+    StressRow out{};
+    for (Component c : stress::components) {
+      if (!asked[c]) continue;
+      const Field& points = values_[c];
+      auto row_at = [&](Index t) { return points.row((m + t) % px); };
+      Eigen::Map<Eigen::Array<double, 1, Eigen::Dynamic>>(buffers.rows.data(), points.cols()) =
+          weights[0] * row_at(0) + weights[1] * row_at(1) + weights[2] * row_at(2) + weights[3] * row_at(3) +
+          weights[4] * row_at(4) + weights[5] * row_at(5) + weights[6] * row_at(6) + weights[7] * row_at(7);
+      buffers.refined[c].resize(size(resolution_.interpolation.padded(shape_.ny)));
+      resolution_.interpolation.refine(buffers.rows.data(), shape_.ny, buffers.refined[c].data());
+      out[c] = {buffers.refined[c].data(), size(shape_.ny)};
+    }
+    return out;
   }
 
   const LayerPlan& plan_;
   const Resolution& resolution_;
   const PrunedTransform& transform_;
-  Shape shape_;
-  stress::Set asked_;
+  const Shape shape_;
+  const int threads_;
   std::unique_ptr<LayerInfluence> influence_;
-  AlignedVector<Complex> block_, work_;
-  RowTransform::Work row_work_;
-  std::array<HalfSpectrum, 6> half_;
-  std::array<AlignedVector<double>, 6> points_;  ///< of a wide layer
-  std::array<AlignedVector<double>, 6> rows_;    ///< eight rows, or one that is interpolated
-  AlignedVector<double> across_;                 ///< a row interpolated in x alone
+  HalfSpectrum half_;  ///< of one component
+  std::vector<Buffers> buffers_;
+  std::array<Field, 6> values_;  ///< of each component but the last, or points of a wide layer
+  Component last_ = stress::xx;
 };
 
 struct VolumePlan : LayerPlan {
   using LayerPlan::LayerPlan;
-  std::unique_ptr<LayerWork> work() const override { return std::make_unique<VolumeWork>(*this); }
+  std::unique_ptr<LayerWork> work(int threads) const override {
+    return std::make_unique<VolumeWork>(*this, threads);
+  }
 };
 
 }  // namespace

@@ -8,8 +8,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "dataset/netcdf.hpp"
 #include "tools/cli/output_name.hpp"
@@ -27,30 +30,65 @@ class DatasetStream {
   /// The last `deferred` variables are of doubles and hold none yet. Another call replaces the head;
   /// attributes may differ in value, not in size.
   void head(const Dataset& dataset, std::size_t deferred) {
-    const std::string bytes = encode_netcdf(dataset, deferred);
-    if (head_bytes_ > 0 && bytes.size() != head_bytes_)
-      throw std::logic_error("a head of another length cannot replace the first one");
-    if (head_bytes_ > 0)
-      file_.rewrite(bytes);
-    else
-      file_.write(bytes);
-    head_bytes_ = bytes.size();
+    if (values_from_ > 0) return replace_head(dataset);
+    write_netcdf(
+        dataset,
+        [&](std::string_view piece) {
+          if (head_bytes_ == 0) head_bytes_ = piece.size();
+          values_from_ += piece.size();
+          file_.write(piece);
+        },
+        deferred);
   }
   /// The next values of the deferred variables.
   void values(const Eigen::Ref<const Field>& rows) {
     for (Index i = 0; i < rows.rows(); ++i)
       file_.write(encode_values({rows.row(i).data(), static_cast<std::size_t>(rows.cols())}));
   }
-  /// The same from the value numbered `first` on, in any order, where the output is rewritable.
+  /// The same from the value numbered `first` on, in any order and from several threads, where the output is
+  /// rewritable. What continues other values waits for more, until flush().
   void values_at(std::int64_t first, std::span<const double> values) {
-    const auto before = first * static_cast<std::int64_t>(sizeof(double));
-    file_.write_at(encode_values(values), static_cast<std::int64_t>(head_bytes_) + before);
+    constexpr std::size_t long_enough = 1 << 16;
+    std::string run = run_to(first);
+    const std::int64_t begin = first - static_cast<std::int64_t>(run.size() / sizeof(double));
+    run += encode_values(values);
+    if (run.size() >= long_enough) return write_run(begin, run);
+    const std::scoped_lock lock(mutex_);
+    waiting_[first + static_cast<std::int64_t>(values.size())] = std::move(run);
   }
-  void close() { file_.close(); }
+  void flush() {
+    for (const auto& [end, run] : std::exchange(waiting_, {}))
+      write_run(end - static_cast<std::int64_t>(run.size() / sizeof(double)), run);
+  }
+  void close() {
+    flush();
+    file_.close();
+  }
 
  private:
+  // The bytes that wait for the value numbered `end`.
+  std::string run_to(std::int64_t end) {
+    const std::scoped_lock lock(mutex_);
+    auto found = waiting_.extract(end);
+    return found ? std::move(found.mapped()) : std::string();
+  }
+  void write_run(std::int64_t first, const std::string& run) {
+    const auto before = first * static_cast<std::int64_t>(sizeof(double));
+    file_.write_at(run, static_cast<std::int64_t>(values_from_) + before);
+  }
+
+  // All that is there of a dataset without any values, which stay as they are.
+  void replace_head(const Dataset& dataset) {
+    const std::string bytes = encode_netcdf(dataset, dataset.variables.size());
+    if (bytes.size() != head_bytes_)
+      throw std::logic_error("a head of another length cannot replace the first one");
+    file_.rewrite(bytes);
+  }
+
   OutputFile file_;
-  std::size_t head_bytes_ = 0;
+  std::size_t head_bytes_ = 0, values_from_ = 0;
+  std::map<std::int64_t, std::string> waiting_;  ///< by the number of the value that continues them
+  std::mutex mutex_;                             ///< of those
 };
 
 }  // namespace asperity::cli

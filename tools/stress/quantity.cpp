@@ -9,10 +9,13 @@
 namespace asperity::cli {
 namespace {
 
-StressQuantity equivalent(StressOutput output, void (*along_row)(const StressRow&, std::span<double>)) {
-  return {output.name, stress::all, {output}, [along_row](const StressRow& s, RowOutputs out) {
-            along_row(s, out[0]);
-          }};
+StressQuantity equivalent(StressOutput output, void (*along_row)(const StressRow&, std::span<double>),
+                          double of_mises = 0) {
+  return {output.name,
+          stress::all,
+          {output},
+          [along_row](const StressRow& s, RowOutputs out) { along_row(s, out[0]); },
+          of_mises};
 }
 
 StressQuantity component(stress::Component c) {
@@ -33,13 +36,13 @@ std::vector<StressQuantity> make_quantities() {
                             fmt::format("{} component of the unit vector along principal stress {}", axis, k),
                             "1"});
   }
-  std::vector<StressQuantity> list{
-      equivalent({"von_mises", "von Mises equivalent stress"}, von_mises),
-      equivalent({"max_shear", "largest shear stress"}, max_shear_stress),
-      equivalent({"octahedral_shear", "octahedral shear stress"}, octahedral_shear),
-      {"principal", stress::all, principal,
-       [](const StressRow& s, RowOutputs out) { principal_stress(s, out); }},
-      {"principal_directions", stress::all, directions, principal_directions}};
+  std::vector<StressQuantity> list{equivalent({"von_mises", "von Mises equivalent stress"}, von_mises, 1),
+                                   equivalent({"max_shear", "largest shear stress"}, max_shear_stress),
+                                   equivalent({"octahedral_shear", "octahedral shear stress"},
+                                              octahedral_shear, octahedral_over_von_mises),
+                                   {"principal", stress::all, principal,
+                                    [](const StressRow& s, RowOutputs out) { principal_stress(s, out); }},
+                                   {"principal_directions", stress::all, directions, principal_directions}};
   for (stress::Component c : stress::components) list.push_back(component(c));
   return list;
 }

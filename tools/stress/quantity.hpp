@@ -22,6 +22,7 @@ struct StressQuantity {
   stress::Set needs;  ///< components of which it is made
   std::vector<StressOutput> outputs;
   std::function<void(const StressRow& stress, RowOutputs out)> compute;  ///< all outputs along a row
+  double of_mises = 0;  ///< how many times the von Mises stress it is, if it is that
 };
 
 /// The words of all quantities, in the order of their variables in a dataset, separated by commas.
@@ -36,6 +37,7 @@ class StressSelection {
 
   stress::Set needs() const { return needs_; }
   const std::vector<StressOutput>& outputs() const { return outputs_; }
+  const std::vector<const StressQuantity*>& chosen() const { return chosen_; }
   /// out[k], a row of output k of outputs().
   void compute(const StressRow& stress, RowOutputs out) const;
 

@@ -37,6 +37,7 @@ StressWriter::StressWriter(const Tool& tool, StressScene& scene, const StressSel
       shape_(solver.shape()),
       depths_(depths_of_interest(scene, outputs_)),
       ranges_(outputs_.size(), {infinity, -infinity}),
+      largest_(depths_.size()),
       progress_(tool),
       steps_(tool, {"layer", "depth [um]", "greatest " + outputs_[0].name + " [MPa]"}) {}
 
@@ -61,12 +62,9 @@ void StressWriter::write(const std::function<void(Attributes&)>& finish) {
     for (const Field& values : kept) out.values(values);
   } else {
     passes_ = 1 + outputs_.size();
-    layers([&](std::size_t k, Index, Values values) { survey(k, values); });
+    layers([&](std::size_t k, Index, Index, Values values) { survey(k, values); });
     head();
-    for (std::size_t wanted = 0; wanted < outputs_.size(); ++wanted)
-      layers([&](std::size_t k, Index, Values values) {
-        if (k == wanted) out.values(Eigen::Map<const Field>(values.data(), shape_.nx, shape_.ny));
-      });
+    for (std::size_t wanted = 0; wanted < outputs_.size(); ++wanted) write_again(out, wanted);
   }
   out.close();
   tool_.write_report(scene_.data);
@@ -82,64 +80,84 @@ double StressWriter::largest(std::string_view output) const {
 void StressWriter::write_file(DatasetStream& out) {
   const auto count = static_cast<Index>(scene_.depths.size());
   out.head(scene_.data, outputs_.size());
-  layers([&](std::size_t k, Index layer, Values values) {
+  layers([&](std::size_t k, Index layer, Index i, Values values) {
     survey(k, values);
-    out.values_at((static_cast<Index>(k) * count + layer) * shape_.cells(), values);
+    out.values_at((static_cast<Index>(k) * count + layer) * shape_.cells() + i * shape_.ny, values);
   });
+  out.flush();
 }
 
 std::vector<Field> StressWriter::keep() {
   std::vector<Field> kept(outputs_.size(), Field(static_cast<Index>(scene_.depths.size()), shape_.cells()));
-  layers([&](std::size_t k, Index layer, Values values) {
+  layers([&](std::size_t k, Index layer, Index i, Values values) {
     survey(k, values);
-    std::ranges::copy(values, kept[k].row(layer).data());
+    std::ranges::copy(values, kept[k].row(layer).data() + i * shape_.ny);
   });
   return kept;
 }
 
-void StressWriter::layers(const Take& take) {
-  using Layer = std::vector<Field>;  // of each output
-  std::vector<Layer> batch(static_cast<std::size_t>(solver_.threads()),
-                           Layer(outputs_.size(), Field(shape_.nx, shape_.ny)));
-  auto slot = [&](Index l) -> Layer& { return batch[static_cast<std::size_t>(l) % batch.size()]; };
-  auto row = [&](Index l, Index i, const StressRow& values) {
-    std::vector<std::span<double>> out;
-    for (Field& f : slot(l)) out.emplace_back(f.row(i).data(), static_cast<std::size_t>(shape_.ny));
-    selection_.compute(values, out);
+void StressWriter::write_again(DatasetStream& out, std::size_t wanted) {
+  std::vector<Field> batch(size(solver_.threads()), Field(shape_.nx, shape_.ny));
+  auto slot = [&](Index l) -> Field& { return batch[size(l) % batch.size()]; };
+  layers(
+      [&](std::size_t k, Index layer, Index i, Values values) {
+        if (k == wanted) std::ranges::copy(values, slot(layer).row(i).data());
+      },
+      [&](Index layer) { out.values(slot(layer)); });
+}
+
+void StressWriter::layers(const Take& take, const std::function<void(Index layer)>& finished) {
+  const bool told = tool_.verbose() && done_ == 0;
+  LayerRows rows(selection_, solver_);
+  auto compute = [&](Index l, StressSolver::Workspace& work) {
+    rows.compute(l, depths_[size(l)], work, [&](std::size_t k, Index i, std::span<double> values) {
+      if (told && k == 0) note_largest(l, values);
+      if (hides(k))
+        for (double& v : values) v = std::abs(v) >= scene_.least ? v : fill;
+      take(k, l, i, values);
+    });
   };
-  auto finished = [&](Index begin, Index end) {
+  solver_.each_layer(depths_, compute, [&](Index begin, Index end) {
     for (Index l = begin; l < end; ++l) {
-      tell(static_cast<std::size_t>(l), slot(l)[0]);
-      for (std::size_t k = 0; k < outputs_.size(); ++k) {
-        Field& f = slot(l)[k];
-        if (hides(k)) f = (f.abs() >= scene_.least).select(f, fill);
-        take(k, l, {f.data(), static_cast<std::size_t>(f.size())});
-      }
+      tell(size(l));
+      if (finished) finished(l);
     }
-  };
-  solver_.layers(depths_, selection_.needs(), row, finished);
-  const std::vector<double> nothing(static_cast<std::size_t>(shape_.cells()), fill);
-  for (auto l = static_cast<Index>(depths_.size()); l < static_cast<Index>(scene_.depths.size()); ++l)
-    for (std::size_t k = 0; k < outputs_.size(); ++k) take(k, l, nothing);
+  });
+  const std::vector<double> nothing(size(shape_.ny), fill);
+  for (auto l = static_cast<Index>(depths_.size()); l < static_cast<Index>(scene_.depths.size()); ++l) {
+    for (std::size_t k = 0; k < outputs_.size(); ++k)
+      for (Index i = 0; i < shape_.nx; ++i) take(k, l, i, nothing);
+    if (finished) finished(l);
+  }
 }
 
 void StressWriter::survey(std::size_t output, Values values) {
-  auto& [low, high] = ranges_[output];
-  double sound = 0;
+  double low = infinity, high = -infinity, sound = 0;
   for (double v : values) {
     if (v != fill) low = std::min(low, v), high = std::max(high, v);
     sound += 0 * v;
   }
-  if (!(sound == 0)) low = high = NAN;  // and stays so
+  if (!(sound == 0)) low = high = NAN;
+  const std::scoped_lock lock(mutex_);
+  Range& range = ranges_[output];
+  range.low = std::isnan(low) ? low : std::min(range.low, low);  // NaN stays
+  range.high = std::isnan(high) ? high : std::max(range.high, high);
 }
 
-void StressWriter::tell(std::size_t l, const Field& values) {
+void StressWriter::note_largest(Index layer, Values values) {
+  double top = 0;
+  for (double v : values) top = std::max(top, std::abs(v));
+  const std::scoped_lock lock(mutex_);
+  largest_[size(layer)] = std::max(largest_[size(layer)], top);
+}
+
+void StressWriter::tell(std::size_t l) {
   ++done_;
   progress_.count(static_cast<double>(done_), static_cast<double>(passes_ * depths_.size()),
                   passes_ == 1 ? "layers" : "layers, in several passes");
   if (tool_.verbose() && done_ <= depths_.size())
     steps_.row({std::to_string(l + 1), fmt::format("{:.6g}", depths_[l] * 1e6),
-                fmt::format("{:.6g}", values.abs().maxCoeff() * 1e-6)});
+                fmt::format("{:.6g}", largest_[l] * 1e-6)});
 }
 
 // The outputs behind everything else, with what is known of them by now.

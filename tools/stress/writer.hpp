@@ -1,15 +1,16 @@
-/// Writes a dataset of stresses layer by layer, so that a volume need not fit into memory.
+/// Writes a dataset of stresses row by row, so that neither a volume nor a layer need fit into memory.
 ///
-/// Into a regular file each layer goes to its places as soon as it is computed, and the ranges that stand in
-/// front are put right in the end; memory is that of as many layers as there are threads. Into a pipe, which
-/// has to begin with the ranges, the result is kept, or, when it is larger than the memory allowed, computed
-/// once for the ranges and once for each variable.
+/// Into a regular file each row goes to its place as soon as it is computed, and the ranges that stand in
+/// front are put right in the end. Into a pipe, which has to begin with the ranges, the result is kept, or,
+/// when it is larger than the memory allowed, computed once for the ranges and once for each variable.
 #pragma once
+
+#include <mutex>
 
 #include "dataset/layout.hpp"
 #include "tools/cli/dataset_stream.hpp"
 #include "tools/cli/progress.hpp"
-#include "tools/stress/quantity.hpp"
+#include "tools/stress/layer_rows.hpp"
 #include "tools/stress/scene.hpp"
 
 namespace asperity::cli {
@@ -26,16 +27,19 @@ class StressWriter {
 
  private:
   using Values = std::span<const double>;
-  using Take = std::function<void(std::size_t output, Index layer, Values values)>;
+  /// A row of an output, from any thread.
+  using Take = std::function<void(std::size_t output, Index layer, Index i, Values values)>;
 
-  /// Every layer of every output, each output's in order.
-  void layers(const Take& take);
+  /// Every row of every layer, and what there is to do behind each layer.
+  void layers(const Take& take, const std::function<void(Index layer)>& finished = {});
   bool hides(std::size_t output) const { return scene_.least > 0 && outputs_[output].is_stress(); }
   void survey(std::size_t output, Values values);
-  /// Of layer l, whose first output is `values`.
-  void tell(std::size_t l, const Field& values);
+  void note_largest(Index layer, Values values);
+  /// Of layer l.
+  void tell(std::size_t l);
   void record();
   void write_file(DatasetStream& out);
+  void write_again(DatasetStream& out, std::size_t output);
   std::vector<Field> keep();
 
   const Tool& tool_;
@@ -43,9 +47,11 @@ class StressWriter {
   const StressSelection& selection_;
   const StressSolver& solver_;
   const std::vector<StressOutput>& outputs_;
-  Shape shape_;                 ///< of a layer
-  std::vector<double> depths_;  ///< where values large enough to be kept can be: the first ones
-  std::vector<Range> ranges_;   ///< of each output
+  Shape shape_;                  ///< of a layer
+  std::vector<double> depths_;   ///< where values large enough to be kept can be: the first ones
+  std::vector<Range> ranges_;    ///< of each output
+  std::vector<double> largest_;  ///< of each layer, where that is told
+  std::mutex mutex_;             ///< of both
   Progress progress_;
   StepTable steps_;
   std::size_t done_ = 0, passes_ = 1;  ///< layers computed, times that each is
