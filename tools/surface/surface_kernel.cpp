@@ -61,10 +61,9 @@ SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
 // A surface that was drawn without --add kernel.
 void refuse_surface(const Dataset& data) {
   if (!data.has("kernel") && data.attributes.find("generate_seed"))
-    throw DataError(
-        "kernel",
-        "it was not kept with this surface: name the file of asperity-kernel, or draw the surface "
-        "with --add kernel; its history has the options");
+    throw DataError("kernel",
+                    "it was not kept with this surface: name the file of asperity-kernel, draw from its "
+                    "autocorrelation by --acf, or draw the surface with --add kernel");
 }
 
 SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
