@@ -30,7 +30,7 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
     const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(o.number(k)), tool.stream_value(),
                            distribution.noise);
     auto advanced = [&](double share) { progress.count(k + share, o.count, o.count > 1 ? "surfaces" : ""); };
-    const cli::Drawing drawing{synthesis, noise, rms, o.exact_rq, o.adds_noise(), tool.memory(), advanced};
+    const cli::Drawing drawing{synthesis, noise, rms, o.exact_rq, o.adds("noise"), tool.memory(), advanced};
     const bool last = k + 1 == o.count;
     drawing.write(tool, last ? std::exchange(kernel.data, {}) : kernel.data, o.output_name(tool, k));
   }
@@ -50,8 +50,9 @@ int main(int argc, char** argv) {
     options.check_outputs(tool);
     cli::SurfaceKernel kernel = cli::surface_kernel(tool, options);
     const cli::HeightDistribution heights = cli::height_distribution(tool, options, kernel);
-    kernel.before.tell(tool, kernel.data, "surface",
-                       options.adds_noise() ? "heights generate_* noise" : "heights generate_*");
+    kernel.before.tell(
+        tool, kernel.data, "surface",
+        options.adds("noise") ? "kernel heights generate_* noise" : "kernel heights generate_*");
 
     const cli::Exit code = kernel.code;
     draw(tool, options, std::move(kernel), heights);

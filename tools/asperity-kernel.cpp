@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
       throw cli::UsageError("shape", "is required by --periodic");
     cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, known, o.periodic ? o.shape : Shape{});
     if (o.periodic) adopt_period(o, problem);
-    cli::foresee(tool, problem, sized || o.periodic ? o.shape : Shape{});
+    cli::foresee(tool, problem, sized || o.periodic ? o.shape : Shape{}, true);
     cli::KernelSolution solution = cli::solve(tool, std::move(problem));
     if (o.periodic) wrap(tool, solution, o.shape);
     solution.before.tell(tool, solution.data, "kernel");

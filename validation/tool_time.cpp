@@ -3,8 +3,8 @@
 ///     tool_time [N...]       512 2048 unless given
 ///
 /// A surface of N × N heights, exponential autocorrelation of 10 % length 20 cells, is drawn into a file
-/// beside its kernel. Every tool then works on this file, one thread, and the library does the same work on
-/// heights in memory:
+/// beside that. Every tool then works on this file, one thread, and the library does the same work on heights
+/// in memory:
 ///     version           nothing: the tool starts and ends
 ///     heights           moments of asperity-stats without errors
 ///     errors            height parameters with errors by theory; of less than half a million heights the tool

@@ -10,6 +10,7 @@
 #include "core/words.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/spatial/acf.hpp"
+#include "transform/plan.hpp"
 
 namespace asperity {
 namespace {
@@ -43,6 +44,12 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   }
   refuse_round_off(largest_of(surface.heights), size, form, surface.variable);
   return surface;
+}
+
+Shape lags_of_errors(const Grid& grid) {
+  if (grid.periodic.both()) return longest_lags(grid);
+  auto along = [](Index n) { return std::max(n + 1, fast_length(2 * n) / 2); };
+  return {along(grid.shape.nx), along(grid.shape.ny)};
 }
 
 void refuse_round_off(double largest, double size, const Form& form, const std::string& variable) {

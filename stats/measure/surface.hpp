@@ -45,6 +45,11 @@ struct Surface {
 /// DataError(variable) where only rounding remains (refuse_round_off).
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 
+/// The longest lags at which errors, tests and simulated surfaces ask for a known correlation: those of a
+/// torus of twice the field, whole or by so many points more that its transform is fast, and the two beyond
+/// the field that differences reach. Of a periodic field half a period.
+Shape lags_of_errors(const Grid& grid);
+
 /// What subtraction may leave of values up to `size` that cancel.
 constexpr double round_off_of(double size) { return 32 * std::numeric_limits<double>::epsilon() * size; }
 /// Throws DataError(variable, …) if heights up to `largest` are round-off of values up to `size`.

@@ -10,10 +10,11 @@ using Json = nlohmann::json;
 namespace {
 
 void draw() {
-  static const bool drawn = shell(
-                                "asperity-generate -q --shape 64x48 --size 1mm,0.5mm --rq 0.4um --length "
-                                "40um,30um --seed 1 -o t.nc")
-                                .exit == 0;
+  static const bool drawn =
+      shell(
+          "asperity-generate -q --add kernel --shape 64x48 --size 1mm,0.5mm --rq 0.4um --length "
+          "40um,30um --seed 1 -o t.nc")
+          .exit == 0;
   REQUIRE(drawn);
 }
 

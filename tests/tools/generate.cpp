@@ -113,7 +113,7 @@ TEST_CASE("a drawing that is killed leaves nothing", "[generate][contract][slow]
 
 TEST_CASE("a kernel on standard input needs no option, and its grid is the surface's",
           "[generate][contract]") {
-  require(draw + " -o first.nc");
+  require(draw + " --add kernel -o first.nc");
   require("asperity-generate --seed 7 --no-history < first.nc > second.nc");
   const Dataset first = read_dataset("first.nc"), second = read_dataset("second.nc");
   CHECK((field_of(first, "heights") == field_of(second, "heights")).all());
@@ -135,7 +135,8 @@ TEST_CASE("what is missing beside a kernel on standard input is named", "[genera
       {"asperity-generate --shape 8x8 --rq 1um --size 3um -o absent.nc < spaced.nc", "--size"},
       {"asperity-generate --shape 8x8 --rq 1um --size 3um -o absent.nc < /dev/null", "--length"},
       {"asperity-generate --shape 8x8 --rq 1um --length-level 0.5 -o absent.nc < spaced.nc", "--length"},
-      {"asperity-generate --shape 8x8 --rq 1um --kernel spaced.nc --length-level 0.5 -o absent.nc", "--length-level"},
+      {"asperity-generate --shape 8x8 --rq 1um --kernel spaced.nc --length-level 0.5 -o absent.nc",
+       "--length-level"},
   };
   for (const auto& [line, option] : lacking) {
     const Outcome run = shell(line);

@@ -155,7 +155,7 @@ TEST_CASE("a contact tells whether its load or its approach was prescribed", "[c
 
 TEST_CASE("an accuracy is reached on a finer grid of the same surface, or said not to be",
           "[contact][contract]") {
-  require(band_limited + " --seed 7 -o given.nc");
+  require(band_limited + " --seed 7 --add kernel -o given.nc");
   Dataset given = read_dataset("given.nc");
   given.put({"note", {}, std::vector<float>{2.5F}, {}});
   write_dataset(given, "given.nc");

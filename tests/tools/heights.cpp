@@ -11,7 +11,7 @@ using namespace asperity::test;
 // moments of a Gaussian by half of that), Sq by 2 %.
 TEST_CASE("a surface has the skewness and kurtosis asked for, and says what to expect",
           "[heights][statistics]") {
-  require("asperity-generate" + grid + common + shaped + " --seed 3 -o s.nc");
+  require("asperity-generate" + grid + common + shaped + " --seed 3 --add kernel -o s.nc");
   const Moments m = moments(heights("s.nc"));
   CHECK(std::abs(m.ssk + 1.3) <= 0.4);
   CHECK(std::abs(m.sku - 6) <= 2.4);
@@ -30,7 +30,7 @@ TEST_CASE(
     "[heights][law]") {
   const std::string draw = "asperity-generate --seed 5" + grid;
   require(draw + common + shaped + " -o one.nc");
-  require("asperity-kernel" + common + shaped + " --spacing 10um | " + draw + " -o two.nc");
+  require("asperity-kernel" + common + shaped + " --spacing 10um | " + draw + " --add kernel -o two.nc");
   require(draw + " --kernel two.nc -o three.nc");
   CHECK((heights("one.nc") == heights("two.nc")).all());
   CHECK((heights("one.nc") == heights("three.nc")).all());

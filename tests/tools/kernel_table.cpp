@@ -128,7 +128,7 @@ TEST_CASE("the twin of a levelled and filtered map has its autocorrelation at ev
       " " ASPERITY_TEST_DATA "/profiler-96x96.x3p --remove-form 2 --lambda-s 1um --lambda-c 12um";
   for (const std::string more : {" --biased", " --biased --max-lag 20x15"}) {
     REQUIRE(shell("asperity-acf" + measured + more + " -o a.nc").exit == 0);
-    const Outcome run = shell("asperity-generate --acf a.nc --seed 1 -o t.nc");
+    const Outcome run = shell("asperity-generate --acf a.nc --seed 1 --add kernel -o t.nc");
     CAPTURE(more, run.error);
     CHECK(run.exit == 0);
     const Dataset twin = read_dataset("t.nc");

@@ -21,7 +21,8 @@ void write_everything() {
   static const bool once = [] {
     const Outcome run = shell(
         "export SOURCE_DATE_EPOCH=1; asperity-generate --shape 16x12 --size 1.6mm,1.2mm --rq 0.4um "
-        "--length 3px --seed 7 --add noise | asperity-acf --add structure_function,acf_quantiles --max-lag "
+        "--length 3px --seed 7 --add noise,kernel | asperity-acf --add structure_function,acf_quantiles "
+        "--max-lag "
         "5x5 | "
         "asperity-psd | asperity-contact --load 5N --yield 100MPa --add heights_residual" +
         bodies + "| asperity-stress --depths 0:50um:3 --maximum --components all -o all.nc");
@@ -76,12 +77,12 @@ const std::vector<Case>& cases() {
       {"asperity-acf all.nc --max-lag 4x4", "asperity-acf", {"acf"}, {}, false},
       {"asperity-acf all.nc --variable pressure --max-lag 4x4", "asperity-acf", {"acf"}, {}, false},
       {"asperity-psd all.nc --window none", "asperity-psd", {"psd"}, {}, false},
-      {"asperity-generate --seed 8 < all.nc",
+      {"asperity-generate --seed 8 --add kernel < all.nc",
        "asperity-generate",
        {"heights"},
        {"filter", "acf", "psd", "contact", "residual", "stress"},
        true},
-      {"asperity-generate --acf all.nc --infeasible nearest --seed 8",
+      {"asperity-generate --acf all.nc --infeasible nearest --seed 8 --add kernel",
        "asperity-generate",
        {"kernel", "heights"},
        {"filter", "acf", "psd", "contact", "residual", "stress"},

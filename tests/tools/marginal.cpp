@@ -45,7 +45,7 @@ TEST_CASE("the table of asperity-stats, text or JSON, gives a twin its skewness 
 TEST_CASE("heights in a text file are a distribution, and what is none is refused", "[heights][contract]") {
   const std::string draw = "asperity-generate" + grid + common;
   require("seq 1 500 | awk 'BEGIN { print \"# um\" } { print log($1 / 500.5) }' > depths.txt");
-  require(draw + " --marginal depths.txt -o s.nc");
+  require(draw + " --marginal depths.txt --add kernel -o s.nc");
   CHECK(std::abs(attribute("s.nc", "generate_skewness_expected") + 2) <= 0.3);  // an exponential of valleys
   CHECK(read_dataset("s.nc").attributes.text("kernel_heights") == "measured");
   require("asperity-generate --kernel s.nc --no-history -o again.nc --seed " +

@@ -10,7 +10,7 @@ using namespace asperity::test;
 
 namespace {
 
-const std::string draw = "asperity-generate --periodic --rq 1um -q ";
+const std::string draw = "asperity-generate --periodic --rq 1um --add kernel -q ";
 
 Outcome succeeded(const std::string& line) {
   Outcome run = shell(line);
@@ -136,7 +136,7 @@ TEST_CASE("heights that are not Gaussian have the sum over the periods too", "[p
 TEST_CASE("a periodic surface is drawn again from its own dataset, to the last bit, and on no other grid",
           "[periodic][contract]") {
   succeeded(draw + "--shape 24x20 --size 24um,20um --length 9px --seed 5 --no-history -o s.nc");
-  succeeded("asperity-generate --periodic -q --seed 5 --no-history < s.nc > again.nc");
+  succeeded("asperity-generate --periodic --add kernel -q --seed 5 --no-history < s.nc > again.nc");
   const Dataset one = read_dataset("s.nc"), two = read_dataset("again.nc");
   for (const char* name : {"heights", "kernel", "acf_target", "acf_achieved"}) {
     CAPTURE(name);
@@ -168,7 +168,7 @@ TEST_CASE("a periodic surface has twins of exactly its autocorrelation over the 
     CAPTURE(options);
     succeeded(draw + options + " --seed 2 -o s.nc");
     succeeded("asperity-acf s.nc --absolute -o a.nc; asperity-kernel -q --acf a.nc -o k.nc");
-    succeeded("asperity-generate -q --periodic --kernel k.nc --seed 3 -o twin.nc");
+    succeeded("asperity-generate -q --periodic --add kernel --kernel k.nc --seed 3 -o twin.nc");
     const Field measured = table_of(read_dataset("a.nc"), "acf");
     const Dataset twin = read_dataset("twin.nc");
     const double bound = 1e-12 * measured(0, measured.cols() / 2);

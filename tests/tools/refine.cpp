@@ -49,7 +49,8 @@ TEST_CASE("the option --refine keeps the coordinates of a surface that is not pe
 TEST_CASE(
     "the option --refine drops the results of the former grid and says so, and --refine 1 changes nothing",
     "[refine][contract]") {
-  require(draw + "--periodic | asperity-contact -q --young 200GPa --poisson 0.3 --load 10N -o c.nc");
+  require(draw +
+          "--periodic --add kernel | asperity-contact -q --young 200GPa --poisson 0.3 --load 10N -o c.nc");
   const Outcome run = require("asperity-filter c.nc --refine 2 -o fine.nc");
   CHECK_THAT(run.error, ContainsSubstring("dropped results of the former map"));
   const Dataset fine = read_dataset("fine.nc");

@@ -85,6 +85,10 @@ void drop_results(Dataset& data, std::string_view result, std::string_view input
     if (has(gone, result_of_attribute(a.name))) data.attributes.erase(a.name);
 }
 
+void drop_variable(Dataset& data, std::string_view name) {
+  erase_variables(data, [&](const Variable& v) { return v.name == name; });
+}
+
 void drop_surface(Dataset& data, std::string_view result) {
   drop_results(data, result);
   erase_variables(data, [](const Variable& v) {

@@ -25,6 +25,8 @@ namespace asperity::cli {
 void drop_results(Dataset& data, std::string_view result, std::string_view input = {});
 /// The same before a new surface: every variable on (x, y) belongs to the former one.
 void drop_surface(Dataset& data, std::string_view result = "heights");
+/// Removes one variable, with dimensions and coordinates that no other has.
+void drop_variable(Dataset& data, std::string_view name);
 
 /// Puts a new map in place of the surface: drops what belonged to the former one, and notes it. What was
 /// removed from the surface was removed from the map too, unless it is that of another variable.

@@ -26,8 +26,10 @@ void GenerateOptions::declare(Tool& tool) {
       "surface has the sum over the periods at the same rms height, and a note says so; --acf with all lags "
       "of a periodic surface of this shape is met exactly",
       surface);
-  tool.words("--add", add, {"noise"},
-             "Further variables to write; noise: the white noise under the centre of the kernel", surface);
+  tool.words("--add", add, {"noise", "kernel"},
+             "Further variables to write; noise: the white noise under the centre of the kernel; kernel: the "
+             "kernel and all lags of its autocorrelation, from which the dataset can be drawn again",
+             surface);
   declare_drawing(tool);
 }
 

@@ -1,10 +1,12 @@
 /// The options of asperity-generate.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "surface/synthesis.hpp"
@@ -28,7 +30,7 @@ struct GenerateOptions {
 
   /// The first option given of those that say which kernel to solve for, or nothing.
   std::string target_option(const Tool& tool) const;
-  bool adds_noise() const { return !add.empty(); }
+  bool adds(std::string_view variable) const { return std::ranges::find(add, variable) != add.end(); }
   /// Number `k` of the surfaces, and the name of its file.
   std::int64_t number(int k) const { return std::int64_t{first} + k; }
   std::string output_name(const Tool& tool, int k) const;

@@ -106,14 +106,18 @@ KernelTables kernel_of(const Dataset& data) {
 }
 
 void set_kernel(Dataset& data, const KernelTables& tables) {
-  const std::string_view height = tables.has_height ? "m" : "1", variance = tables.has_height ? "m2" : "1";
+  const char* const unit = tables.has_height && !tables.translated ? "m" : "1";
+  set_table(data, "kernel", tables.kernel, {"k", 0, 1, "1", "row of noise"},
+            {"l", 0, 1, "1", "column of noise"}, {unit, "moving-average kernel of unit white noise"});
+  set_correlation(data, tables);
+}
+
+void set_correlation(Dataset& data, const KernelTables& tables) {
+  const std::string_view variance = tables.has_height ? "m2" : "1";
   const std::string_view lag = tables.spacing ? "m" : "1";
   const auto [dx, dy] = tables.spacing.value_or(std::array{1.0, 1.0});
   const Axis p{"p", 0, dx, lag, "lag in x"};
   const Axis q{"q", -(tables.acf_target.cols() / 2), dy, lag, "lag in y"};
-  set_table(data, "kernel", tables.kernel, {"k", 0, 1, "1", "row of noise"},
-            {"l", 0, 1, "1", "column of noise"},
-            {tables.translated ? "1" : height, "moving-average kernel of unit white noise"});
   set_table(data, "acf_target", tables.acf_target, p, q, {variance, "target autocorrelation"},
             Missing::not_a_number);
   set_table(data, "acf_achieved", tables.acf_achieved, p, q, {variance, "autocorrelation of the kernel"});

@@ -4,6 +4,7 @@
 ///     acf_target(p, q)     over the half plane p = 0…, q = -…0…+
 ///     acf_achieved(p, q)   the same lags
 /// in m and m2, or in units of the rms height; lags in metres, or in samples where no spacing is known.
+/// A surface has no kernel unless asked for, and of its autocorrelation the lags that errors ask for.
 /// Heights that are not Gaussian are a translation of what the kernel, of unit variance, averages
 /// (marginal_dataset.hpp). Global attributes kernel_* hold the parameters and what was achieved.
 #pragma once
@@ -46,6 +47,8 @@ bool has_height(const Variable& acf);
 /// Throws DataError when a table is missing or makes no sense.
 KernelTables kernel_of(const Dataset& data);
 void set_kernel(Dataset& data, const KernelTables& tables);
+/// All but the coefficients.
+void set_correlation(Dataset& data, const KernelTables& tables);
 
 /// The attribute kernel_period.
 std::optional<Shape> kernel_period(const Dataset& data);

@@ -72,7 +72,7 @@ Shape most_lags(const KernelRequest& request) {
   return static_cast<double>(far.cells()) > slow * static_cast<double>(first.cells()) ? far : first;
 }
 
-void tell_cost(const Tool& tool, const KernelRequest& request) {
+void tell_cost(const Tool& tool, const KernelRequest& request, bool kept) {
   check_memory(request, first_lags(request), kernel_cost(first_lags(request)));
   const Shape lags = most_lags(request);
   constexpr Index widest = 13;  // torus of a table of long waves, the fourth that is tried
@@ -83,8 +83,8 @@ void tell_cost(const Tool& tool, const KernelRequest& request) {
     return format_bytes(static_cast<std::size_t>(std::min(bytes, 1e18)));
   };
   tool.warn(fmt::format(
-      "a kernel of {} lags may need minutes, {} of memory and {} of the dataset{} need less", text(lags),
-      shown(memory), shown(dataset),
+      "a kernel of {} lags may need minutes{} {} of memory{}{} need less", text(lags), kept ? "," : " and",
+      shown(memory), kept ? " and " + shown(dataset) + " of the dataset" : "",
       table ? ", of long waves ten times as much; fewer lags of the table (asperity-acf --max-lag) or a "
               "larger --acf-tolerance"
             : "; shorter lengths, wider samples or a larger --acf-tolerance"));
@@ -128,12 +128,12 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
                     axes(x, y), x ? along_x : along_y));
 }
 
-void foresee(const Tool& tool, const KernelProblem& problem, Shape surface) {
+void foresee(const Tool& tool, const KernelProblem& problem, Shape surface, bool kept) {
   if (problem.band) return;  // it has the surface's own waves, and no offset
   const Target& target = problem.request.target;
   foresee_extent(tool, target, surface, target.known ? "acf" : "length");
   tell_short(tool, target, surface);
-  tell_cost(tool, problem.request);
+  tell_cost(tool, problem.request, kept);
   tell_heights(tool, problem);
 }
 

@@ -13,9 +13,9 @@
 
 namespace asperity::cli {
 
-/// `surface` is 0x0 where it is not known. Throws UsageError, and ParameterError("memory") where the solution
-/// takes more than the request allows.
-void foresee(const Tool& tool, const KernelProblem& problem, Shape surface);
+/// `surface` is 0x0 where it is not known; `kept`: the kernel goes into the dataset. Throws UsageError, and
+/// ParameterError("memory") where the solution takes more than the request allows.
+void foresee(const Tool& tool, const KernelProblem& problem, Shape surface, bool kept);
 
 /// What (1) leads to, blamed on this option; of a single height nothing.
 void foresee_extent(const Tool& tool, const Target& target, Shape surface, const char* option);

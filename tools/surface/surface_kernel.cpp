@@ -7,6 +7,8 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "marginal/prescribed.hpp"
+#include "stats/measure/surface.hpp"
+#include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/surface/periodic_kernel.hpp"
 #include "tools/surface/prospect.hpp"
@@ -49,11 +51,19 @@ SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
   if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, problem.data);
   if (!o.periodic || problem.period != o.shape) problem.period.reset();
-  foresee(tool, problem, o.shape);
+  foresee(tool, problem, o.shape, o.adds("kernel"));
   if (problem.band || !problem.request.target.known)
     refuse_drawing(tool, o, problem.band ? o.shape : first_lags(problem.request));
   HeightsWithAcf measured = problem.measured;
   return {solve(tool, std::move(problem), true), {}, std::move(measured)};
+}
+
+// A surface that was drawn without --add kernel.
+void refuse_surface(const Dataset& data) {
+  if (!data.has("kernel") && data.attributes.find("generate_seed"))
+    throw DataError("kernel",
+                    "it was not kept with this surface: name the file of asperity-kernel, draw from its "
+                    "autocorrelation by --acf, or draw the surface with --add kernel");
 }
 
 SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
@@ -67,6 +77,7 @@ SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
     throw UsageError(heights, "applies when the kernel is solved (asperity-kernel), or with --method filter");
   SurfaceKernel out;
   out.data = decode_netcdf(bytes, tool.memory_bound(bytes.size()));
+  refuse_surface(out.data);
   tool.settle(out.data);
   adopt_grid(tool, o, out.data);
   out.before = Inventory(out.data);
@@ -100,6 +111,22 @@ KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Datase
   require_spacing("size", "gives a spacing", spacing, "the kernel has", tables.spacing, 1e-9);
   tables.spacing = spacing;
   return tables;
+}
+
+// What errors of the surface ask for of the autocorrelation, in place of the kernel.
+void carry_correlation(Dataset& data, const KernelTables& tables, const Grid& grid) {
+  const auto [p, q] = lags_of_errors(grid);
+  auto asked = [p, q](const Field& table) -> Field {
+    const Index rows = std::min(table.rows(), p + 1), columns = std::min(table.cols(), 2 * q + 1);
+    return table.block(0, (table.cols() - columns) / 2, rows, columns);
+  };
+  drop_variable(data, "kernel");
+  set_correlation(data, {.kernel = {},
+                         .acf_target = asked(tables.acf_target),
+                         .acf_achieved = asked(tables.acf_achieved),
+                         .has_height = tables.has_height,
+                         .spacing = tables.spacing,
+                         .period = tables.period});
 }
 
 // ---- the heights ----
@@ -139,8 +166,13 @@ SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options) {
   if (options.periodic)
     out.code = std::max(out.code,
                         wrap_kernel(tool, out.data, out.tables, shape, static_cast<double>(tool.memory())));
-  set_kernel(out.data, out.tables);
-  set_grid(out.data, {shape, (*out.tables.spacing)[0], (*out.tables.spacing)[1], options.periodic});
+  const auto [dx, dy] = *out.tables.spacing;
+  const Grid grid{shape, dx, dy, options.periodic};
+  if (options.adds("kernel"))
+    set_kernel(out.data, out.tables);
+  else
+    carry_correlation(out.data, out.tables, grid);
+  set_grid(out.data, grid);
   return out;
 }
 

@@ -8,7 +8,8 @@
 
 namespace asperity::cli {
 
-/// `data` is what each surface is written with, its grid and the kernel's tables.
+/// `data` is what each surface is written with: its grid, and the autocorrelation at the lags that errors ask
+/// for, or with --add kernel all tables.
 struct SurfaceKernel : KernelSolution {
   KernelTables tables;
   HeightsWithAcf measured;  ///< that came with a table of the autocorrelation

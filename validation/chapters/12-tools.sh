@@ -7,6 +7,6 @@ start, in fields of N × N doubles:
 END
 table tool_time-1
 text <<'END'
-What a tool does not need stays in the file: kernel and tables are copied from file to file, or not at all. At 512² half the
+What a tool does not need stays in the file: tables are copied from file to file, or not at all. At 512² half the
 time of a short run is the start of the program.
 END

@@ -17,7 +17,7 @@ THREADED = [t for t in TOOLS if t not in ("convert", "kernel", "plot", "report")
 def command(case, tool):
     """A command of this tool with some of its options, less its output."""
     more = {"contact": [[], ["--limit-pressure", "3GPa"], ["--add", "contact_stiffness"], ["--add", "heights_residual", "--limit-pressure", "2GPa"]],
-            "generate": [[], ["--periodic"], ["--skewness", "-1"], ["--model", "gaussian"], ["--add", "noise"], ["--exact-rq"]],
+            "generate": [[], ["--periodic"], ["--skewness", "-1"], ["--model", "gaussian"], ["--add", "noise,kernel"], ["--exact-rq"]],
             "kernel": [[], ["--model", "matern"], ["--formulation", "oriented"], ["--method", "spectral"]],
             "stats": [[], ["--remove-form", "plane"], ["--lambda-c", "10um"], ["--profile", "x", "--json"]],
             "pdf": [[], ["--estimate", "kernel"], ["--estimate", "quantiles"]], "acf": [[], ["--biased", "--add", "structure_function"],

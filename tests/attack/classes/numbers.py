@@ -20,7 +20,7 @@ BODIES = ("--young", "200GPa", "--poisson", "0.3")
 def drawn(case, *options, count=30, shape=(32, 24)):
     run = case.run("generate", "--shape", f"{shape[0]}x{shape[1]}", "--size", f"{shape[0]}um,{shape[1]}um", "--rq", "0.1um",
                    *options,
-                   "--seed", case.rng.integers(1, 2**31), "--count", count, "-o", "s_%d.nc", "--no-history")
+                   "--seed", case.rng.integers(1, 2**31), "--count", count, "--add", "kernel", "-o", "s_%d.nc", "--no-history")
     if run.code not in (0, NOT_CONVERGED):
         return run, None
     return run, np.array([maps.read(case.path(f"s_{i}.nc"))[0]["heights"] for i in range(count)])
