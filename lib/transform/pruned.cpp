@@ -38,6 +38,15 @@ void PrunedTransform::forward_rows(const Field& in, HalfSpectrum& half, int thre
   });
 }
 
+void PrunedTransform::forward_each_row(const RowSource& in, HalfSpectrum& half, int threads) const {
+  by_groups(threads, [&](Index first, Index count, RowTransform::Work& work) {
+    AlignedVector<double> rows(size(count * field_.ny));
+    for (Index r = 0; r < count; ++r) in(first + r, rows.data() + r * field_.ny);
+    rows_.forward(rows.data(), field_.ny, field_.ny, count, half.data() + first * width, field_.nx * width,
+                  work);
+  });
+}
+
 void PrunedTransform::inverse_rows(const HalfSpectrum& half, Field& out, int threads) const {
   by_groups(threads, [&](Index first, Index count, RowTransform::Work& work) {
     inverse_group(half, first, count, field_.ny, out.data() + first * field_.ny, field_.ny, work);

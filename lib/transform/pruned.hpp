@@ -13,6 +13,8 @@
 /// Memory: 2 nx (Py/2 + 8) doubles for a half spectrum, 16 Px for a block.
 #pragma once
 
+#include <functional>
+
 #include "core/field.hpp"
 #include "core/parallel.hpp"
 #include "transform/plan.hpp"
@@ -22,6 +24,9 @@ namespace asperity {
 
 /// Rows transformed in y, columns not yet in x: block b holds columns 8b … 8b+7 of nx rows, [b][i][8].
 using HalfSpectrum = AlignedVector<Complex>;
+
+/// Writes row i of a field, for fields that are nowhere as a whole; called by several threads at once.
+using RowSource = std::function<void(Index i, double* row)>;
 
 class PrunedTransform {
  public:
@@ -40,6 +45,8 @@ class PrunedTransform {
 
   /// The rows of `in` into the half spectrum.
   void forward_rows(const Field& in, HalfSpectrum& half, int threads = 1) const;
+  /// The same, without a copy of the field.
+  void forward_each_row(const RowSource& in, HalfSpectrum& half, int threads = 1) const;
   /// The rows of `out` from the half spectrum, multiplied by Px Py.
   void inverse_rows(const HalfSpectrum& half, Field& out, int threads = 1) const;
   /// The rows first ≤ i < first + count alone, eight at most: the first `wanted` points of each, to out +

@@ -24,8 +24,10 @@ Eigen::ArrayXd window_of(DataWindow window, Index n) {
 }
 
 // Σ x_i y_j over the points that are there.
-double sum_over(const Field& valid, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
-  return x.matrix().dot(valid.matrix() * y.matrix());
+double sum_over(const Field& d, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+  double out = 0;
+  for (Index i = 0; i < d.rows(); ++i) out += x(i) * d.row(i).isNaN().select(0.0, y.transpose()).sum();
+  return out;
 }
 
 // Eight columns l of the transform to the columns ±l of the half-plane.
@@ -117,14 +119,15 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
   const Eigen::ArrayXd wx = window_of(windows.x, nx), wy = window_of(windows.y, ny);
   const PrunedTransform transform(grid.shape, grid.shape);
   HalfSpectrum half = transform.half_spectrum();
-  Field windowed = large_field(grid.shape);
-  windowed = (d.colwise() * wx).rowwise() * wy.transpose();
-  double mean_square = 1;
-  if (has_missing(windowed)) {
-    mean_square = sum_over(validity(d), wx.square(), wy.square()) / static_cast<double>(d.size());
-    windowed = zero_filled(windowed);
-  }
-  transform.forward_rows(windowed, half, threads);
+  const bool complete = !has_missing(d);
+  const double mean_square =
+      complete ? 1 : sum_over(d, wx.square(), wy.square()) / static_cast<double>(d.size());
+  const RowSource windowed = [&](Index i, double* row) {
+    Eigen::Map<Eigen::Array<double, 1, Eigen::Dynamic>> out(row, ny);
+    out = d.row(i) * wx(i) * wy.transpose();
+    if (!complete) out = out.isNaN().select(0.0, out);
+  };
+  transform.forward_each_row(windowed, half, threads);
 
   Field out = large_field({nx / 2 + 1, 2 * (ny / 2) + 1});
   const double scale = grid.cell_area() / (static_cast<double>(grid.shape.cells()) * mean_square);
