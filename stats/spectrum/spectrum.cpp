@@ -138,23 +138,24 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
 
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads) {
-  if (axis == Axis1D::y) {
-    const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, {grid.periodic.y, grid.periodic.x}};
-    return profile_spectrum(d.transpose(), turned, Axis1D::x, window, threads);
-  }
-  const DataWindows windows{window, DataWindow::none};
-  return profile_spectrum(power_spectrum(d, grid, windows, threads), grid, shared_power(d, windows));
+  const DataWindows windows = windows_along(axis, window);
+  return profile_spectrum(power_spectrum(d, grid, windows, threads), grid, axis, shared_power(d, windows));
 }
 
-std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& grid,
+std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& grid, Axis1D axis,
                                             const SharedPower& shared) {
+  const bool x = axis == Axis1D::x;
+  const double step = 2 * std::numbers::pi / (x ? grid.size_x() : grid.size_y()),
+               across = x ? grid.dy : grid.dx;
+  const auto count = static_cast<double>(x ? grid.shape.ny : grid.shape.nx);
   std::vector<SpectrumPoint> out;
-  for (const MeanPower& row : shared.means(psd, psd.max_p() + 1, [](Index p, Index) { return p; }))
-    out.push_back({.wave_number = 2 * std::numbers::pi * static_cast<double>(out.size()) / grid.size_x(),
-                   .density = row.mean / grid.dy,
-                   .standard_error = std::sqrt(row.variance) / grid.dy,
+  for (const MeanPower& row : shared.means(psd, (x ? psd.max_p() : psd.max_q()) + 1,
+                                           [&](Index p, Index q) { return x ? p : std::abs(q); }))
+    out.push_back({.wave_number = step * static_cast<double>(out.size()),
+                   .density = row.mean / across,
+                   .standard_error = std::sqrt(row.variance) / across,
                    .degrees = row.degrees,
-                   .count = static_cast<double>(grid.shape.ny)});
+                   .count = count});
   return out;
 }
 
