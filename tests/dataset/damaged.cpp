@@ -94,12 +94,15 @@ TEST_CASE("a number of records below 0, or of more than the file has bytes, is r
           "[netcdf][contract]") {
   for (const std::uint32_t told : {3u, 0x7fffffffu, 0xfffffffeu})
     CHECK_THROWS_AS(decode_netcdf(with_records(told)), DataError);
-  Dataset wide = before_records();
-  wide.attributes.set_values("of CDF-5", std::vector<std::int64_t>{1});
-  const std::string bytes = encode_netcdf(wide);
-  REQUIRE(bytes.starts_with("CDF\005"));
-  for (const std::uint64_t told : {~std::uint64_t{1}, std::uint64_t{1} << 63})
-    CHECK_THROWS_AS(decode_netcdf(std::string(bytes).replace(4, 8, big_endian(told))), DataError);
+  for (Dataset wide :
+       {before_records(), two_variables()}) {  // the second without a variable that has records
+    wide.attributes.set_values("of CDF-5", std::vector<std::int64_t>{1});
+    const std::string bytes = encode_netcdf(wide);
+    REQUIRE(bytes.starts_with("CDF\005"));
+    REQUIRE_NOTHROW(decode_netcdf(bytes));
+    for (const std::uint64_t told : {~std::uint64_t{1}, std::uint64_t{1} << 63})
+      CHECK_THROWS_AS(decode_netcdf(std::string(bytes).replace(4, 8, big_endian(told))), DataError);
+  }
 }
 
 // A file before its first record was refused as cut short, if a record was to be longer than the file.
