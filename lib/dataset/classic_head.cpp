@@ -137,8 +137,8 @@ Attributes take_attributes(Reader& reader) {
   Attributes out;
   Names names;
   for (std::uint64_t n = reader.list(attributes, 3); n > 0; --n) {
-    const std::string name = names.different(reader.name());
-    out.set_values(name, take_values(reader));
+    std::string name = names.different(reader.name());
+    out.add({std::move(name), take_values(reader)});
   }
   return out;
 }
