@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -97,16 +98,16 @@ void describe(Dataset& data, const Surface& surface, const DataWindows& windows)
   data.attributes.set("psd_window", windows.x == DataWindow::hann ? "hann" : "none");
 }
 
-cli::Table table(const cli::Tool& tool, const Options& what, const Surface& surface) {
-  const Sample sample(surface, false, tool.thread_count());
+cli::Table table(const cli::Tool& tool, const Options& what, Surface surface) {
   const DataWindows windows = what.windows(surface.grid);
+  const Sample sample(std::move(surface), false, tool.thread_count());
   return what.result.result == "profiles" ? profiles(sample, windows) : radial(sample, windows);
 }
 
 // One surface: its dataset or table, with errors by theory.
 void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
-  const Surface surface = field.read(tool, data);
-  if (!what.result.dataset()) return cli::print(tool, table(tool, what, surface));
+  Surface surface = field.read(tool, data);
+  if (!what.result.dataset()) return cli::print(tool, table(tool, what, std::move(surface)));
   const DataWindows windows = what.windows(surface.grid);
   const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
   const cli::Inventory before(data);
@@ -130,14 +131,15 @@ class Surfaces {
     Surface surface = field_.read(tool_, member.data);
     grids_.add(tool_, surface.grid, member.name, surface.units);
     ++surfaces_;
+    Field heights = std::move(surface.heights);
+    last_ = surface;
+    surface.heights = std::move(heights);
     if (what_.result.dataset())
       psd_.add(
           power_spectrum(surface.heights, surface.grid, what_.windows(surface.grid), tool_.thread_count())
               .half_plane());
     else
-      table_.add(table(tool_, what_, surface), member.name);
-    surface.heights.resize(0, 0);
-    last_ = std::move(surface);
+      table_.add(table(tool_, what_, std::move(surface)), member.name);
   }
   void finish() const {
     if (surfaces_ == 0) return;

@@ -88,9 +88,9 @@ struct Relaxation::Sweeps {
   void relax(Index i, Index c) {
     double *pressure = &p(i, classes.begin(c)), *load = &loads(i / block, 0), *row = &d(i + reach, 0);
     const double *gap = &g(i, classes.begin(c)), *row1 = beside.data(), *row2 = next.data();
-    const auto [k00, k01, k02] = model.near_[0];
-    const auto [k10, k11, k12] = model.near_[1];
-    const auto [k20, k21, k22] = model.near_[2];
+    const auto& [near0, near1, near2] = model.near_;
+    const double k00 = near0[0], k01 = near0[1], k02 = near0[2], k10 = near1[0], k11 = near1[1],
+                 k12 = near1[2], k20 = near2[0], k21 = near2[1], k22 = near2[2];
     const double held = model.held_, inverse = 1 / (k00 + held), level = approach, limit = cap;
     const Index count = classes.count(c), at = classes.padded(c), l1 = classes.padded(c - 1),
                 l2 = classes.padded(c - 2), r1 = classes.padded(c + 1), r2 = classes.padded(c + 2);

@@ -37,8 +37,9 @@ void transpose(const T* from, T* to, Index rows, Index columns) {
 void swap_last_two(const Dataset& dataset, Variable& variable) {
   auto& slow = variable.dimensions[variable.dimensions.size() - 2];
   auto& fast = variable.dimensions.back();
-  const Index rows = dataset.length(slow), columns = dataset.length(fast), cells = rows * columns;
   std::swap(slow, fast);
+  if (count(variable) == 0) return;  // its dimensions may be of any length
+  const Index rows = dataset.length(fast), columns = dataset.length(slow), cells = rows * columns;
   load(variable);
   std::visit(
       [&](auto& values) {
@@ -65,6 +66,7 @@ bool swap_axes(Dataset& dataset, const char* slow, const char* fast) {
 void reverse_along(Dataset& dataset, std::string_view dimension) {
   const Index points = dataset.length(dimension);
   for (Variable& variable : dataset.variables) {
+    if (count(variable) == 0) continue;  // its dimensions may be of any length
     Index piece = 1;
     for (std::size_t d = variable.dimensions.size(); d-- > 0;
          piece *= dataset.length(variable.dimensions[d])) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 #include <utility>
 
 namespace asperity {
@@ -185,9 +184,12 @@ constexpr KnownAttribute attributes[] = {
 
 // Words of the table, separated by blanks.
 bool has(std::string_view words, std::string_view name) {
-  return std::ranges::any_of(std::views::split(words, ' '), [&](auto word) {
-    return fits(std::string_view(word.begin(), word.end()), name);
-  });
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    if (fits(words.substr(0, end), name)) return true;
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return false;
 }
 
 template <class Is>

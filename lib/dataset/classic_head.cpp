@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -62,11 +64,11 @@ class Reader {
     return n;
   }
 
-  /// a b bytes, and the end of bytes that begin at `first`; both must be within the file.
+  /// a b, or one more than the file has bytes.
   std::uint64_t product(std::uint64_t a, std::uint64_t b) const {
-    if (a != 0 && b > size() / a) refuse_cut_short();
-    return a * b;
+    return a != 0 && b > size() / a ? size() + 1 : a * b;
   }
+  /// The end of bytes that begin at `first`, which must be within the file.
   std::uint64_t end_of(std::uint64_t first, std::uint64_t bytes, const std::string& variable) const {
     if (first > size() || bytes > size() - first)
       refuse("the file is cut short: " + variable + " ends beyond its " + std::to_string(size()) + " bytes");
@@ -92,6 +94,18 @@ class Reader {
 
   std::string_view bytes_;
   std::size_t place_ = 0, count_width_ = 4, offset_width_ = 8;
+};
+
+// The names of a list, of which readers find one by its name.
+class Names {
+ public:
+  std::string different(std::string name) {
+    if (!names_.insert(name).second) refuse_damaged(": '" + name + "' is twice in it");
+    return name;
+  }
+
+ private:
+  std::set<std::string> names_;
 };
 
 // An empty list of the numbers of an external type.
@@ -121,9 +135,10 @@ Values take_values(Reader& reader) {
 
 Attributes take_attributes(Reader& reader) {
   Attributes out;
+  Names names;
   for (std::uint64_t n = reader.list(attributes, 3); n > 0; --n) {
-    const std::string name = reader.name();
-    out.set_values(name, take_values(reader));
+    std::string name = names.different(reader.name());
+    out.add({std::move(name), take_values(reader)});
   }
   return out;
 }
@@ -135,9 +150,9 @@ struct Head {
   bool records = false;
 };
 
-Head take_variable(Reader& reader, const std::vector<Dimension>& lengths) {
+Head take_variable(Reader& reader, Names& names, const std::vector<Dimension>& lengths) {
   Head out;
-  out.variable.name = reader.name();
+  out.variable.name = names.different(reader.name());
   std::uint64_t cells = 1;
   const std::uint64_t rank = reader.count();
   if (rank > highest_rank)
@@ -197,16 +212,35 @@ std::uint64_t settle(const Reader& reader, std::vector<Head>& heads, std::uint64
   return end;
 }
 
-// A classic file stores its values uncompressed: variables that share bytes must not cause allocation.
-void refuse_shared_bytes(const Reader& reader, const std::vector<Head>& heads) {
-  std::size_t left = reader.size();
-  for (const Head& h : heads) {
-    const std::size_t bytes = h.place.count * element_size(h.variable.values);
-    if (bytes > left)
-      refuse("the file is cut short: " + h.variable.name + " ends beyond its " +
-             std::to_string(reader.size()) + " bytes");
-    left -= bytes;
+// Bytes of the file, and whose they are.
+struct Part {
+  std::uint64_t begin, end;
+  std::string_view owner;
+};
+
+void refuse_shared_bytes(std::vector<Part> parts) {
+  std::ranges::sort(parts, {}, &Part::begin);
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    if (parts[i].begin < parts[i - 1].end)
+      refuse_damaged(": " + std::string(parts[i - 1].owner) + " and " + std::string(parts[i].owner) +
+                     " share bytes");
+}
+
+// No byte belongs to two, so that the values need no more memory than the file has bytes.
+void refuse_shared_bytes(const Reader& reader, const std::vector<Head>& heads, std::uint64_t records,
+                         std::uint64_t record) {
+  std::vector<Part> parts{{0, reader.place(), "the header"}}, in_record;
+  for (const Head& h : heads)
+    if (const Unread& place = h.place; !h.records || records > 0)
+      (h.records ? in_record : parts).push_back({place.begin, place.begin + place.slab, h.variable.name});
+  if (!in_record.empty()) {
+    const std::uint64_t first = std::ranges::min(in_record, {}, &Part::begin).begin,
+                        end = std::ranges::max(in_record, {}, &Part::end).end;
+    in_record.push_back({first + record, end + record, "the next record"});
+    parts.push_back({first, end + (records - 1) * record, "records"});
+    refuse_shared_bytes(std::move(in_record));
   }
+  refuse_shared_bytes(std::move(parts));
 }
 
 }  // namespace
@@ -215,22 +249,25 @@ Dataset read_classic_head(std::string_view bytes, const std::shared_ptr<const So
   Reader reader(bytes);
   Dataset out;
   std::uint64_t records = reader.count();
+  constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
   const bool streamed = records == reader.greatest_count();
+  if (records > most && !streamed) refuse_damaged();
+  Names dimension_names, variable_names;
   for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
-    std::string name = reader.name();
+    std::string name = dimension_names.different(reader.name());
     const std::uint64_t length = reader.count();
-    if (length > static_cast<std::uint64_t>(std::numeric_limits<Index>::max())) refuse_damaged();
+    if (length > most) refuse_damaged();
     out.dimensions.push_back({std::move(name), static_cast<Index>(length)});
   }
   out.attributes = take_attributes(reader);
   std::vector<Head> heads;
   for (std::uint64_t n = reader.list(variables, 7); n > 0; --n)
-    heads.push_back(take_variable(reader, out.dimensions));
+    heads.push_back(take_variable(reader, variable_names, out.dimensions));
   const std::uint64_t record = bytes_of_record(heads);
   if (streamed) records = records_to_end(reader, heads, record);
   std::uint64_t end = std::max<std::uint64_t>(settle(reader, heads, records, record), reader.place());
   if (streamed && record > 0) end = reader.size();
-  refuse_shared_bytes(reader, heads);
+  refuse_shared_bytes(reader, heads, records, record);
   refuse_rest(bytes.substr(std::min(padded(end), bytes.size())), "dataset");
   for (Dimension& d : out.dimensions)
     if (d.length == 0) d.length = static_cast<Index>(std::min<std::uint64_t>(records, reader.size()));

@@ -2,7 +2,8 @@
 ///
 /// A header may claim any number of names, attributes and values. Here every count is compared with the
 /// remaining bytes before memory is allocated, so that an accepted header needs memory proportional to its
-/// length, and all variables end within the file.
+/// length. All variables end within the file and share no byte with the header or each other; no name is
+/// twice among the dimensions, the variables, or the attributes of one variable.
 ///
 ///     head = magic numrecs list(dimension) list(attribute) list(variable)
 ///     list = tag count element…     name = length text padding

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -39,6 +40,8 @@ class Attributes {
   void set(std::string_view name, double number);
   void set(std::string_view name, int number);
   void set_values(std::string_view name, Values values);
+  /// Of a name that is not among them.
+  void add(Attribute attribute) { list_.push_back(std::move(attribute)); }
   void erase(std::string_view name);
 
   const Values* find(std::string_view name) const;

@@ -58,6 +58,8 @@ void refuse_part_of_axis(const Variable& axis, const std::vector<double>& points
 
 // An axis must be evenly spaced, wherever its length comes from.
 AxisExtent extent_of(const Variable& axis) {
+  if (axis.dimensions != std::vector{axis.name})
+    throw DataError(axis.name, "is no coordinate: it must be on the dimension " + axis.name + " alone");
   const auto n = static_cast<double>(count(axis.values));
   if (n < 1) throw DataError(axis.name, "the axis has no points");
   for (const char* name : {"length", "periodic"})

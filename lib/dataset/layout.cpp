@@ -86,6 +86,8 @@ Field matrix(const Dataset& dataset, const Variable& variable, double factor) {
   if (std::holds_alternative<std::string>(variable.values))
     throw DataError(variable.name, "contains text instead of numbers");
   const Index rows = dataset.length(variable.dimensions[0]), columns = dataset.length(variable.dimensions[1]);
+  if (count(variable) != static_cast<std::size_t>(rows * columns))
+    throw std::logic_error(variable.name + " has another number of values than places");
   Field out = large_field({rows, columns});
   const double mark = mark_of(variable);
   double* to = out.data();

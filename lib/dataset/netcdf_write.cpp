@@ -123,7 +123,12 @@ class Head {
     name(v.name);
     if (v.dimensions.size() > highest_rank) throw DataError(v.name, "has too many dimensions");
     count(v.dimensions.size());
-    for (const std::string& d : v.dimensions) count(number_of(v, d));
+    for (std::size_t d = 0; d < v.dimensions.size(); ++d) {
+      if (d > 0 && dataset_.length(v.dimensions[d]) == 0)
+        throw DataError("dataset", v.name + " has no values along " + v.dimensions[d] +
+                                       ", which a classic format allows of a first dimension: remove it");
+      count(number_of(v, v.dimensions[d]));
+    }
     attributes_part(v.attributes);
     word(type_of(v.values));
     count(std::min(padded(size_of(v)), ~std::uint64_t{0} >> (wide_ ? 0 : 32)));

@@ -77,11 +77,14 @@ Converter converter_of(const Unit& from, const Unit& to) {
   return out && std::isfinite(cv_convert_double(out.get(), 0.0)) ? std::move(out) : nullptr;
 }
 
-// Whether both are known and measure the same quantity.
-bool measure_the_same(const std::string& unit, const std::string& other) {
+// Whether both are known, and one is a multiple of the other; not so where their zeros or signs differ.
+bool is_multiple(const std::string& unit, const std::string& of) {
   const std::lock_guard lock(library);
   const Silence silence;
-  return converter_of(known(unit), known(other)) != nullptr;
+  const Converter converter = converter_of(known(unit), known(of));
+  if (!converter || cv_convert_double(converter.get(), 0.0) != 0) return false;
+  const double factor = cv_convert_double(converter.get(), 1.0);
+  return factor > 0 && std::isfinite(factor);
 }
 
 }  // namespace
@@ -106,7 +109,7 @@ std::string si_unit_of(const Variable& variable) {
   if (const auto needed = unit_needed(variable.name); !needed.empty()) return std::string(needed);
   const std::string own = unit_of(variable);
   for (const char* unit : {"m", "Pa"})
-    if (measure_the_same(own, unit)) return unit;
+    if (is_multiple(own, unit)) return unit;
   return own.empty() ? "1" : own;
 }
 

@@ -30,7 +30,7 @@ struct Peak {
 Peak peak_of(const Field& f, const Grid& grid) {
   Index i, j;
   const double top = f.maxCoeff(&i, &j);
-  const auto [nx, ny] = grid.shape;
+  const Index nx = grid.shape.nx, ny = grid.shape.ny;
   const Index dx = grid.periodic.x || (i > 0 && i + 1 < nx), dy = grid.periodic.y || (j > 0 && j + 1 < ny);
   auto at = [&](Index p, Index q) { return f((i + p * dx + nx) % nx, (j + q * dy + ny) % ny); };
   const double fx = 0.5 * (at(1, 0) - at(-1, 0)), fy = 0.5 * (at(0, 1) - at(0, -1)),

@@ -2,7 +2,6 @@
 
 #include "core/large_field.hpp"
 #include "core/parallel.hpp"
-#include "transform/pruned.hpp"
 
 namespace asperity {
 namespace {
@@ -13,13 +12,13 @@ Shape torus_for(const Grid& grid, Shape max_lag) {
   return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};
 }
 
-}  // namespace
-
-Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
+// put() brings a field into the half spectrum.
+template <class Put>
+Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads) {
   constexpr Index group = RowTransform::rows;
   const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
   HalfSpectrum half = transform.half_spectrum();
-  transform.forward_rows(f, half, threads);
+  put(transform, half);
   transform.filter(half, threads, [&](Index, Complex* block) {
     for (Index k = 0; k < transform.block_size(); ++k) block[k] = std::norm(block[k]);
   });
@@ -38,6 +37,20 @@ Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
   });
   sums /= static_cast<double>(transform.torus().cells());
   return sums;
+}
+
+}  // namespace
+
+Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
+  return sums_of(
+      [&](const PrunedTransform& transform, HalfSpectrum& half) { transform.forward_rows(f, half, threads); },
+      grid, max_lag, threads);
+}
+
+Field lag_sums_of_rows(const RowSource& f, const Grid& grid, Shape max_lag, int threads) {
+  return sums_of([&](const PrunedTransform& transform,
+                     HalfSpectrum& half) { transform.forward_each_row(f, half, threads); },
+                 grid, max_lag, threads);
 }
 
 }  // namespace asperity

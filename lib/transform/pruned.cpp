@@ -44,6 +44,17 @@ void BasicPrunedTransform<Real>::forward_rows(const Field& in, std::span<Number>
 }
 
 template <class Real>
+void BasicPrunedTransform<Real>::forward_each_row(const RowSource& in, std::span<Number> half,
+                                                  int threads) const {
+  by_groups(threads, [&](Index first, Index count, typename Rows::Work& work) {
+    AlignedVector<double> rows(size(count * field_.ny));
+    for (Index r = 0; r < count; ++r) in(first + r, rows.data() + r * field_.ny);
+    rows_.forward(rows.data(), field_.ny, field_.ny, count, half.data() + first * width, field_.nx * width,
+                  work);
+  });
+}
+
+template <class Real>
 void BasicPrunedTransform<Real>::inverse_rows(std::span<const Number> half, Field& out, int threads,
                                               double scale) const {
   by_groups(threads, [&](Index first, Index count, typename Rows::Work& work) {

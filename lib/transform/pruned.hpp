@@ -13,6 +13,7 @@
 /// Memory: 2 nx (Py/2 + 8) doubles for a half spectrum, 16 Px for a block.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "core/field.hpp"
@@ -26,6 +27,9 @@ namespace asperity {
 template <class Real>
 using BasicHalfSpectrum = AlignedVector<std::complex<Real>>;
 using HalfSpectrum = BasicHalfSpectrum<double>;
+
+/// Writes row i of a field, for fields that are nowhere as a whole; called by several threads at once.
+using RowSource = std::function<void(Index i, double* row)>;
 
 template <class Real>
 class BasicPrunedTransform {
@@ -49,6 +53,8 @@ class BasicPrunedTransform {
 
   /// The rows of `in`, times `scale`, into the half spectrum.
   void forward_rows(const Field& in, std::span<Number> half, int threads = 1, double scale = 1) const;
+  /// The same, without a copy of the field.
+  void forward_each_row(const RowSource& in, std::span<Number> half, int threads = 1) const;
   /// The rows of `out` from the half spectrum, multiplied by Px Py and `scale`.
   void inverse_rows(std::span<const Number> half, Field& out, int threads = 1, double scale = 1) const;
   /// The rows first ≤ i < first + count alone, eight at most: the first `wanted` points of each, to out +

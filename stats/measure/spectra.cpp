@@ -12,34 +12,26 @@ namespace {
 // Whether local amplitudes may stray: not of heights that were drawn from a Gaussian field.
 bool may_stray(const Sample& sample) { return sample.basis().estimated || sample.distribution(); }
 
-// The means over profiles along x of a spectrum that missing points have spread once more.
-std::vector<SpectrumPoint> profiles_once_more(const Field& d, const Grid& grid, DataWindow window,
-                                              int threads) {
-  const DataWindows windows{window, DataWindow::none};
-  return profile_spectrum(spread_by_holes(power_spectrum(d, grid, windows, threads), d), grid,
-                          shared_power(d, windows));
-}
-
 }  // namespace
 
 std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, DataWindow window) {
   const Surface& surface = sample.surface();
   const Grid& grid = sample.grid();
-  auto out = profile_spectrum(surface.heights, grid, axis, window, sample.threads());
+  const DataWindows windows = windows_along(axis, window);
+  const LagField psd = power_spectrum(surface.heights, grid, windows, sample.threads());
+  const SharedPower shared = shared_power(surface.heights, windows);
+  auto out = profile_spectrum(psd, grid, axis, shared);
   pool_degrees(out, PointKind::profile);
   if (may_stray(sample))
-    add_excess(out, profile_excess(surface.heights, grid, axis, window, sample.extent(), sample.threads()));
+    add_excess(out,
+               profile_excess(surface.heights, grid, axis, psd, shared, sample.extent(), sample.threads()));
   const bool along_x = axis == Axis1D::x;
   if (!(along_x ? grid.periodic.x : grid.periodic.y))
     judge_resolution(out,
                      {PointKind::profile, window, surface.degree, along_x ? grid.shape.nx : grid.shape.ny});
-  if (has_missing(surface.heights)) {
-    const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, {grid.periodic.y, grid.periodic.x}};
-    judge_holes(out,
-                along_x ? profiles_once_more(surface.heights, grid, window, sample.threads())
-                        : profiles_once_more(surface.heights.transpose(), turned, window, sample.threads()),
+  if (has_missing(surface.heights))
+    judge_holes(out, profile_spectrum(spread_by_holes(psd, surface.heights), grid, axis, shared),
                 PointKind::profile);
-  }
   return out;
 }
 
@@ -51,7 +43,7 @@ std::vector<SpectrumPoint> radial_spectrum(const Sample& sample, DataWindows win
   auto out = radial_spectrum(psd, grid, shared);
   pool_degrees(out, PointKind::ring);
   if (may_stray(sample))
-    add_excess(out, radial_excess(surface.heights, grid, windows, sample.extent(), sample.threads()));
+    add_excess(out, radial_excess(surface.heights, grid, psd, shared, sample.extent(), sample.threads()));
   if (!grid.periodic.both())
     judge_resolution(out, {PointKind::ring, grid.periodic.x ? windows.y : windows.x, surface.degree});
   if (has_missing(surface.heights))

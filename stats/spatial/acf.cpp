@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/large_field.hpp"
 #include "core/parallel.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/missing.hpp"
@@ -24,6 +23,15 @@ void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads
         sums(p, max_lag.ny + q) = fraction > 0 ? sums(p, max_lag.ny + q) / fraction : NAN;
       }
   });
+}
+
+// Heights above their level, zero where one is missing.
+RowSource above(const Field& z, const Mean& level, bool complete) {
+  return [&z, level, complete](Index i, double* row) {
+    Eigen::Map<Eigen::Array<double, 1, Eigen::Dynamic>> out(row, z.cols());
+    out = (z.row(i) - level.base) - level.above;
+    if (!complete) out = out.isNaN().select(0.0, out);
+  };
 }
 
 // (5) over the pairs that are there. With u the squares and m 1, both zero where a point is missing, the sums
@@ -60,13 +68,9 @@ void AcfParameters::check(const Grid& grid) const {
 LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters) {
   const Grid& grid = pairs.grid();
   parameters.check(grid);
-  Field d = large_field(shape_of(z));
-  if (parameters.level)
-    d = z - *parameters.level;
-  else
-    d = remove_form(std::move(d = z));
-  if (!pairs.complete()) d = zero_filled(d);
-  Field sums = lag_sums(d, grid, parameters.max_lag, parameters.threads);
+  const Mean level = parameters.level ? Mean{.base = *parameters.level} : mean_above_base(z);
+  Field sums =
+      lag_sums_of_rows(above(z, level, pairs.complete()), grid, parameters.max_lag, parameters.threads);
   sums /= pairs.points();
   const bool divided = grid.periodic.both() && pairs.complete();
   if (!divided && !parameters.biased) divide_by_pairs(sums, pairs, parameters.max_lag, parameters.threads);

@@ -26,6 +26,7 @@
 /// Cost      one pruned transform and its inverse, padded only up to the longest lag; with missing heights
 ///           another one, at all lags. S needs two more passes; with missing heights three times the ACF's
 ///           cost.
+/// Memory    of R at lags up to half the field, with the field, three of it; with missing heights five.
 ///
 /// G. M. Jenkins, D. G. Watts, Spectral analysis and its applications, Holden-Day (1968), ch. 5. J. S.
 /// Bendat, A. G. Piersol, Random data, 4th ed., Wiley (2010). R. S. Sayles, T. R. Thomas, Nature 271 (1978)

@@ -26,7 +26,12 @@ Pairs::Pairs(const Grid& grid, LagField counts)
 
 Pairs Pairs::of(const Field& z, const Grid& grid, int threads) {
   if (!has_missing(z)) return Pairs(grid);
-  return {grid, LagField(lag_sums(validity(z), grid, longest_lags(grid), threads).round())};
+  const RowSource measured = [&z](Index i, double* row) {
+    for (Index j = 0; j < z.cols(); ++j) row[j] = std::isnan(z(i, j)) ? 0 : 1;
+  };
+  Field counts = lag_sums_of_rows(measured, grid, longest_lags(grid), threads);
+  counts = counts.round();
+  return {grid, LagField(std::move(counts))};
 }
 
 double Pairs::pair_fraction(Index p, Index q) const {

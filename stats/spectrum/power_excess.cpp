@@ -49,11 +49,9 @@ LagField of_differences(const LagField& psd, const Grid& grid, const Slopes& slo
   return LagField(std::move(out));
 }
 
-PowerExcess excess(const Field& d, const Grid& grid, DataWindows windows, const Slopes& slopes,
-                   const FieldExtent& extent, int threads) {
+PowerExcess excess(const Field& d, const Grid& grid, const LagField& psd, const SharedPower& shared,
+                   const Slopes& slopes, const FieldExtent& extent, int threads) {
   const LocalMeans means = local_means(d, grid, slopes, extent, threads);
-  const SharedPower shared = shared_power(d, windows);
-  const LagField psd = power_spectrum(d, grid, windows, threads);
   auto of = [&](Index a, const LagField& power) {
     auto mean = [a](const Eigen::VectorXd& m) { return m(a); };
     const MeanPower gaussian = shared.means(power, 1, [](Index, Index) { return 0; }).front();
@@ -68,16 +66,29 @@ double inverse_square(double spacing) { return 1 / (spacing * spacing); }
 
 }  // namespace
 
+PowerExcess profile_excess(const Field& d, const Grid& grid, Axis1D axis, const LagField& psd,
+                           const SharedPower& shared, const FieldExtent& extent, int threads) {
+  const Slopes slopes =
+      axis == Axis1D::x ? Slopes{inverse_square(grid.dx), 0} : Slopes{0, inverse_square(grid.dy)};
+  return excess(d, grid, psd, shared, slopes, extent, threads);
+}
+
+PowerExcess radial_excess(const Field& d, const Grid& grid, const LagField& psd, const SharedPower& shared,
+                          const FieldExtent& extent, int threads) {
+  return excess(d, grid, psd, shared, {inverse_square(grid.dx), inverse_square(grid.dy)}, extent, threads);
+}
+
 PowerExcess profile_excess(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                            const FieldExtent& extent, int threads) {
-  if (axis == Axis1D::x)
-    return excess(d, grid, {window, DataWindow::none}, {inverse_square(grid.dx), 0}, extent, threads);
-  return excess(d, grid, {DataWindow::none, window}, {0, inverse_square(grid.dy)}, extent, threads);
+  const DataWindows windows = windows_along(axis, window);
+  return profile_excess(d, grid, axis, power_spectrum(d, grid, windows, threads), shared_power(d, windows),
+                        extent, threads);
 }
 
 PowerExcess radial_excess(const Field& d, const Grid& grid, DataWindows windows, const FieldExtent& extent,
                           int threads) {
-  return excess(d, grid, windows, {inverse_square(grid.dx), inverse_square(grid.dy)}, extent, threads);
+  return radial_excess(d, grid, power_spectrum(d, grid, windows, threads), shared_power(d, windows), extent,
+                       threads);
 }
 
 void add_excess(std::vector<SpectrumPoint>& points, const PowerExcess& excess) {

@@ -21,8 +21,7 @@
 ///           stated errors are 0.47 to 0.68 of the true ones without the excess and 0.87 to 1.12 with it,
 ///           and intervals cover 69 to 79 % and 94 to 98 %; of Gaussian heights with the same exponential
 ///           correlation 93 to 96 % and 95 to 98 %. More: stats/measure/spectra.hpp.
-/// Cost      one transform, a pass of 40 operations a point, and two over the spectrum: three times that of
-///           a spectrum alone.
+/// Cost      beside the spectrum, a pass of 40 operations a point, and two over the spectrum.
 #pragma once
 
 #include <vector>
@@ -48,6 +47,11 @@ PowerExcess profile_excess(const Field& d, const Grid& grid, Axis1D axis, DataWi
                            const FieldExtent& extent, int threads = 1);
 PowerExcess radial_excess(const Field& d, const Grid& grid, DataWindows windows, const FieldExtent& extent,
                           int threads = 1);
+/// The same with the power under that window and what its wave numbers share.
+PowerExcess profile_excess(const Field& d, const Grid& grid, Axis1D axis, const LagField& psd,
+                           const SharedPower& shared, const FieldExtent& extent, int threads = 1);
+PowerExcess radial_excess(const Field& d, const Grid& grid, const LagField& psd, const SharedPower& shared,
+                          const FieldExtent& extent, int threads = 1);
 
 /// (2)
 void add_excess(std::vector<SpectrumPoint>& points, const PowerExcess& excess);

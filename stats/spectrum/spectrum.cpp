@@ -24,8 +24,10 @@ Eigen::ArrayXd window_of(DataWindow window, Index n) {
 }
 
 // Σ x_i y_j over the points that are there.
-double sum_over(const Field& valid, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
-  return x.matrix().dot(valid.matrix() * y.matrix());
+double sum_over(const Field& d, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+  double out = 0;
+  for (Index i = 0; i < d.rows(); ++i) out += x(i) * d.row(i).isNaN().select(0.0, y.transpose()).sum();
+  return out;
 }
 
 // Eight columns l of the transform to the columns ±l of the half-plane.
@@ -117,14 +119,15 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
   const Eigen::ArrayXd wx = window_of(windows.x, nx), wy = window_of(windows.y, ny);
   const PrunedTransform transform(grid.shape, grid.shape);
   HalfSpectrum half = transform.half_spectrum();
-  Field windowed = large_field(grid.shape);
-  windowed = (d.colwise() * wx).rowwise() * wy.transpose();
-  double mean_square = 1;
-  if (has_missing(windowed)) {
-    mean_square = sum_over(validity(d), wx.square(), wy.square()) / static_cast<double>(d.size());
-    windowed = zero_filled(windowed);
-  }
-  transform.forward_rows(windowed, half, threads);
+  const bool complete = !has_missing(d);
+  const double mean_square =
+      complete ? 1 : sum_over(d, wx.square(), wy.square()) / static_cast<double>(d.size());
+  const RowSource windowed = [&](Index i, double* row) {
+    Eigen::Map<Eigen::Array<double, 1, Eigen::Dynamic>> out(row, ny);
+    out = d.row(i) * wx(i) * wy.transpose();
+    if (!complete) out = out.isNaN().select(0.0, out);
+  };
+  transform.forward_each_row(windowed, half, threads);
 
   Field out = large_field({nx / 2 + 1, 2 * (ny / 2) + 1});
   const double scale = grid.cell_area() / (static_cast<double>(grid.shape.cells()) * mean_square);
@@ -135,23 +138,24 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
 
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads) {
-  if (axis == Axis1D::y) {
-    const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, {grid.periodic.y, grid.periodic.x}};
-    return profile_spectrum(d.transpose(), turned, Axis1D::x, window, threads);
-  }
-  const DataWindows windows{window, DataWindow::none};
-  return profile_spectrum(power_spectrum(d, grid, windows, threads), grid, shared_power(d, windows));
+  const DataWindows windows = windows_along(axis, window);
+  return profile_spectrum(power_spectrum(d, grid, windows, threads), grid, axis, shared_power(d, windows));
 }
 
-std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& grid,
+std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& grid, Axis1D axis,
                                             const SharedPower& shared) {
+  const bool x = axis == Axis1D::x;
+  const double step = 2 * std::numbers::pi / (x ? grid.size_x() : grid.size_y()),
+               across = x ? grid.dy : grid.dx;
+  const auto count = static_cast<double>(x ? grid.shape.ny : grid.shape.nx);
   std::vector<SpectrumPoint> out;
-  for (const MeanPower& row : shared.means(psd, psd.max_p() + 1, [](Index p, Index) { return p; }))
-    out.push_back({.wave_number = 2 * std::numbers::pi * static_cast<double>(out.size()) / grid.size_x(),
-                   .density = row.mean / grid.dy,
-                   .standard_error = std::sqrt(row.variance) / grid.dy,
+  for (const MeanPower& row : shared.means(psd, (x ? psd.max_p() : psd.max_q()) + 1,
+                                           [&](Index p, Index q) { return x ? p : std::abs(q); }))
+    out.push_back({.wave_number = step * static_cast<double>(out.size()),
+                   .density = row.mean / across,
+                   .standard_error = std::sqrt(row.variance) / across,
                    .degrees = row.degrees,
-                   .count = static_cast<double>(grid.shape.ny)});
+                   .count = count});
   return out;
 }
 

@@ -42,6 +42,7 @@
 ///           stats/measure/spectra.hpp. Std within 0.5° for a wave that covers a few wave numbers; for an
 ///           isotropic surface it is random.
 /// Cost      one real transform; of (5) one pass over C.
+/// Memory    of C with the field, two and a half of it.
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, for the conventions.
 /// F. J. Harris, Proc. IEEE 66 (1978) 51-83, for windows.
@@ -63,6 +64,11 @@ enum class DataWindow { none, hann };
 struct DataWindows {
   DataWindow x = DataWindow::hann, y = DataWindow::hann;
 };
+
+/// Of profiles along one axis.
+inline DataWindows windows_along(Axis1D axis, DataWindow window) {
+  return axis == Axis1D::x ? DataWindows{window, DataWindow::none} : DataWindows{DataWindow::none, window};
+}
 
 /// None on a periodic grid, Hann's on others.
 DataWindows default_windows(const Grid& grid);
@@ -96,8 +102,9 @@ struct SpectrumPoint {
 /// (3) for wave numbers ≥ 0.
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads = 1);
-/// (3) along x for wave numbers ≥ 0, from (1) with a window along x alone.
-std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& grid, const SharedPower& shared);
+/// The same from (1) with a window along this axis alone.
+std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& grid, Axis1D axis,
+                                            const SharedPower& shared);
 /// The means of (1) over rings from the first on.
 std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, const SharedPower& shared);
 

@@ -1,8 +1,8 @@
 /// The readers of files as fuzzing sees them: bytes of a format, by the name of its folder in tests/corpus.
 ///
-/// NetCDF-4 is read apart, as the tools do. A reader makes something of bytes or throws DataError, in time
-/// and memory of the order of their number. What a format calls a map, and what a dataset is then made of,
-/// the readers of datasets understand.
+/// NetCDF-4 is read apart, as the tools do, and a dataset is used as they use it. A reader makes something of
+/// bytes or throws DataError, in time and memory of the order of their number. What a format calls a map, and
+/// what a dataset is then made of, the readers of datasets understand.
 #pragma once
 
 #include <stdexcept>
@@ -27,12 +27,34 @@ inline Dataset dataset_of_any_size(Map map) {
   return dataset_of(map);
 }
 
-inline void require_map(const Dataset& dataset) {
+/// Throws std::logic_error where `use` refuses what was read.
+template <class Use>
+auto must(const std::string& what, Use use) {
   try {
-    map_of(dataset, dataset.has("heights") ? "heights" : "values");
+    return use();
   } catch (const DataError& error) {
-    throw std::logic_error("a dataset whose " + error.name + " is refused: " + error.what());
+    throw std::logic_error(what + " is refused: " + error.name + ": " + error.what());
   }
+}
+
+inline void require_map(const Dataset& dataset) {
+  must("a dataset of a map", [&] { return map_of(dataset, dataset.has("heights") ? "heights" : "values"); });
+}
+
+/// Values that are left in a classic file are those read at once; what is written is read as it was; and what
+/// the dataset calls heights is a map, or refused.
+inline void use_dataset(const Dataset& data, std::string_view bytes) {
+  const std::string written = encode_netcdf(data);
+  if (bytes.starts_with("CDF")) {
+    Bytes file;
+    bytes.copy(file.room(bytes.size()), bytes.size());
+    file.add(bytes.size());
+    const Dataset left = must("a file left on disk", [&] { return open_netcdf(std::move(file)); });
+    if (encode_netcdf(left) != written) throw std::logic_error("values left in the file are others");
+  }
+  const Dataset again = must("what was written", [&] { return decode_netcdf(written); });
+  if (encode_netcdf(again) != written) throw std::logic_error("what was written is read as something else");
+  map_of(data, "heights");
 }
 
 /// What a user may tell of a file, chosen by its size.
@@ -54,7 +76,11 @@ inline bool reads(const std::string& format, std::string_view bytes) {
   try {
     if (format.starts_with("netcdf")) {
       read_netcdf4_apart(&cli::run_in_sandbox);
-      decode_netcdf(std::string(bytes));
+      const Dataset data = decode_netcdf(std::string(bytes));
+      try {
+        use_dataset(data, bytes);
+      } catch (const DataError&) {
+      }
     } else {
       const Format& read = format_named(format, "from");
       require_map(dataset_of_any_size(read.decode(bytes, any_reading(bytes.size()))));

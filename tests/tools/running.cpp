@@ -73,6 +73,29 @@ TEST_CASE(
   CHECK(strips >= 4);
 }
 
+// Of a field of 1024 x 2048 points, 16.8 MB: the field, a half spectrum padded for lags up to half of it, one and
+// a half, and half a field of lags; or the field, its half spectrum, and half a field of wave numbers. A
+// quarter more for blocks and for megabytes that are rounded. A copy of the field was one more.
+TEST_CASE("the ACF takes three fields of memory, a PSD two and a half", "[time][memory][law]") {
+#ifdef __SANITIZE_ADDRESS__
+  std::cout << "SKIPPED: the sanitizer takes memory of its own\n";
+  return;
+#endif
+  constexpr double field = 16.8;
+  const std::string heights = "asperity-generate --size 3mm --rq 0.4um --length 6px --seed 3 --shape ";
+  require(heights + "1024x2048 -o large.nc; " + heights + "64x64 -o small.nc");
+  for (const auto& [tool, fields] : {std::pair{"asperity-acf -o out.nc", 3.0},
+                                     {"asperity-psd -o out.nc", 2.5},
+                                     {"asperity-psd --result radial", 2.5},
+                                     {"asperity-psd --result profiles", 2.5}}) {
+    const std::string line = std::string(tool) + " --time --threads 1 ";
+    const double large = peak_of(shell(line + "large.nc").error),
+                 small = peak_of(shell(line + "small.nc").error);
+    CAPTURE(tool, large, small);
+    CHECK(large - small <= (fields + 0.25) * field);
+  }
+}
+
 // The system's count of a process begins with the peak of the one that started it by vfork: 420 MB were told
 // once.
 TEST_CASE("the peak of memory is the run's own, whoever started it", "[time][memory][contract]") {
