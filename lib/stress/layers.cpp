@@ -48,9 +48,10 @@ void StressSolver::layer(double z, stress::Set asked, Workspace& work, const Str
 
 // Sections are short; the sum over images (stress/images.hpp) is one thread's work.
 bool StressSolver::together() const {
-  return threads_ <= 1 ||
-         (!section_ && !body_.grid.periodic.one() && shape().cells() >= calibration::stress::shared_layer);
+  return threads_ <= 1 || (!section_ && !body_.grid.periodic.one() && by_component());
 }
+
+bool StressSolver::by_component() const { return shape().cells() >= calibration::stress::shared_layer; }
 
 void StressSolver::release(const std::vector<double>& depths, Index next, Workspace& work) const {
   std::vector<bool> needed(levels_.size());

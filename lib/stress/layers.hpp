@@ -62,6 +62,8 @@ class StressSolver {
   int threads() const { return threads_; }
   /// Of a layer: that of the grid, or one row.
   Shape shape() const;
+  /// Whether a layer has so many points that its components are computed one by one whatever is asked for.
+  bool by_component() const;
 
   /// What one thread needs to compute layers of one solver; may be used again for any depth and components.
   class Workspace {

@@ -1,17 +1,14 @@
 #include "tools/stress/layer_rows.hpp"
 
-#include "core/calibration.hpp"
-
 namespace asperity::cli {
 
 LayerRows::LayerRows(const StressSelection& selection, const StressSolver& solver)
     : selection_(selection), solver_(solver), layers_(size(solver.threads())) {
-  const bool small = solver.shape().cells() < calibration::stress::shared_layer;
   for (std::size_t first = 0; const StressQuantity* q : selection.chosen()) {
     placed_.push_back({q, first});
     first += q->outputs.size();
     mises_ = mises_ || q->of_mises != 0;
-    together_ = together_ || (q->needs == stress::all && (q->of_mises == 0 || small));
+    together_ = together_ || (q->needs == stress::all && (q->of_mises == 0 || !solver.by_component()));
   }
 }
 
