@@ -143,8 +143,9 @@ inline constexpr double depth_of_wide_cells = 5;  ///< in sides of the wide cell
 inline constexpr Index least_wide_cells = 16;     ///< along each side of the grid
 inline constexpr Index least_taper = 8;           ///< lags over which a kernel decays to 0
 
-// Cells of a layer from which on threads share it: `volume` of validation/scaling.
-inline constexpr Index shared_layer = 512 * 512;
+// Cells of a layer from which on threads share it, and components come one by one: at 512² that takes a fifth
+// longer, at 1024² as long (`volume` of validation/scaling).
+inline constexpr Index shared_layer = 768 * 768;
 
 // Distance in half sides from which corner sums cancel: tests/stress/influence.cpp, twelve digits everywhere.
 inline constexpr double integrate_by_8 = 5, integrate_by_4 = 50;

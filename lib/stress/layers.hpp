@@ -24,7 +24,7 @@
 ///           long, in another direction twice. Two threads 1.75 times as fast.
 /// Memory    on N = nx ny cells 4 N doubles for the pressure and 2 N for a component, and N more for each
 ///           further one in the same layer(): 6 N one by one, 11 N for all at once; N more with friction in a
-///           direction between the axes. Threads share it, on less than 512² cells each has its own layer.
+///           direction between the axes. Threads share it, on less than 768² cells each has its own layer.
 ///           A section costs a seventh of the volume, with wider cells a fifth, less the more the load is
 ///           gathered about it; its memory is below that of a layer.
 ///

@@ -20,7 +20,7 @@ constexpr bool counts_memory = true;
 #endif
 
 // As many cells as threads share.
-const Grid shared{{512, 512}, 1, 1};
+const Grid shared{{768, 768}, 1, 1};
 
 Field mises_one_by_one(const StressSolver& solver, double z, StressSolver::Workspace& work) {
   const Shape shape = solver.shape();

@@ -2,7 +2,7 @@
 ///
 /// Components and the von Mises stress are computed from one component after the other
 /// (stress/mises_layer.hpp); principal stresses and what follows from them need all six at once. So do layers
-/// of less than 512² cells, where memory matters less than what components have in common.
+/// of less than 768² cells, where memory matters less than what components have in common.
 #pragma once
 
 #include <optional>
