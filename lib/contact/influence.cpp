@@ -110,10 +110,15 @@ class HalfSpace final : public ElasticOperator {
   Shape shape() const override { return grid_.shape; }
   void apply(const Field& p, Field& u) override { made(influence_, &HalfSpace::influence).apply(p, u); }
   void apply_single(const Field& p, Field& u) override {
-    if (shape().cells() < calibration::contact::single_cells) return apply(p, u);
+    if (!is_large()) return apply(p, u);
     made(single_, &HalfSpace::single).apply(p, u);
   }
-  void precondition(const Field& r, Field& z) override { made(inverse_, &HalfSpace::inverse).apply(r, z); }
+  void precondition(const Field& r, Field& z) override {
+    if (is_large())
+      made(single_inverse_, &HalfSpace::inverse<float>).apply(r, z);
+    else
+      made(inverse_, &HalfSpace::inverse<double>).apply(r, z);
+  }
   double self_influence() const override { return self_; }
   double setup_seconds() const override { return setup_ + (window_ ? window_->setup_seconds() : 0); }
 
@@ -161,6 +166,8 @@ class HalfSpace final : public ElasticOperator {
   template <class Real>
   using Convolution = std::unique_ptr<BasicEvenConvolution<Real>>;
 
+  // Of so many cells that single precision pays.
+  bool is_large() const { return shape().cells() >= calibration::contact::single_cells; }
   static bool covers(Shape a, Shape b) { return a.nx >= b.nx && a.ny >= b.ny; }
 
   // The fewest points on which cells do not act around the torus but along a periodic axis.
@@ -204,19 +211,20 @@ class HalfSpace final : public ElasticOperator {
   }
 
   // Love's symbol is positive, above half of K₀₀ on square cells; the bound keeps M definite on any others.
-  Convolution<float> inverse() {
-    if (grid_.periodic.both()) return convolution<float>(shape(), modulus_ / 2 * wave_numbers(grid_));
+  template <class Real>
+  Convolution<Real> inverse() {
+    if (grid_.periodic.both()) return convolution<Real>(shape(), modulus_ / 2 * wave_numbers(grid_));
     const Shape torus{grid_.periodic.x ? shape().nx : fast_length(shape().nx, 2),
                       grid_.periodic.y ? shape().ny : fast_length(shape().ny, 2)};
-    return convolution<float>(torus, symbol(torus).max(1e-3 * self_).inverse());
+    return convolution<Real>(torus, symbol(torus).max(1e-3 * self_).inverse());
   }
 
   Grid grid_;
   double datum_, modulus_, self_;
   int threads_;
   WorkSpace work_;
-  Convolution<double> influence_;
-  Convolution<float> single_, inverse_;
+  Convolution<double> influence_, inverse_;
+  Convolution<float> single_, single_inverse_;
   std::shared_ptr<HalfSpace> window_;
   double setup_ = 0;
 };

@@ -23,8 +23,7 @@
 ///           q wave vector [1/m]                  a, b half sides [m]
 /// Accuracy  (1): 1e-12 relative up to 16 000 cells away, where the textbook form has lost ε (r/Δx)². From 20
 ///           cells on Gauss's rule over the rectangle takes over, from 160 the multipoles to the sixteenth:
-///           1e-15. apply_single: 5e-7 of the largest |u| from 256² cells on, below as apply. M: single
-///           precision.
+///           1e-15. apply_single and M: 5e-7 of the largest value from 256² cells on, below to double.
 /// Cost      set-up: one even transform and 10 ns a coefficient, of (3) 30 ns: together
 ///           0.6…1.2 of (2). Apply: transform/convolution.hpp; (3) 0.4…1 of (2). apply_single: half of apply.
 ///

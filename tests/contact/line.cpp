@@ -134,7 +134,7 @@ TEST_CASE("influence and preconditioner of a repeating strip are symmetric and p
       CHECK(std::abs((q * kp).sum() - (p * kq).sum()) <=
             16 * epsilon * cells * std::max(kp.abs().maxCoeff(), kq.abs().maxCoeff()));
       CHECK(std::abs((q * mp).sum() - (p * mq).sum()) <=
-            16 * single * cells * std::max(mp.abs().maxCoeff(), mq.abs().maxCoeff()));
+            16 * epsilon * cells * std::max(mp.abs().maxCoeff(), mq.abs().maxCoeff()));
       CHECK((p * kp).sum() > 0);
       CHECK((q * kq).sum() > 0);
       CHECK((q * mq).sum() > 0);

@@ -14,7 +14,6 @@
 namespace asperity::test {
 
 inline constexpr double pi = std::numbers::pi;
-inline constexpr double single = std::numeric_limits<float>::epsilon();  ///< of the preconditioner
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two steel spheres: p₀ = 2724.3224 MPa, a = 0.9361090 mm, δ = 35.052006 µm under 5000 N.
