@@ -89,7 +89,7 @@ LagField structure_function(const Field& z, const Grid& grid, Shape max_lag, int
   if (!pairs.complete()) return over_valid_pairs(d, pairs, R, threads);
   if (grid.periodic.both()) return LagField(2 * (R(0, 0) - R.half_plane()));
 
-  const auto [nx, ny] = grid.shape;
+  const Index nx = grid.shape.nx, ny = grid.shape.ny;
   const RectangleSums squares(d.square());
   return LagField::of(max_lag, [&](Index p, Index q) {
     if (p == 0 && q == 0) return 0.0;

@@ -115,7 +115,7 @@ Interval SpectrumPoint::interval(double level) const {
 }
 
 LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads) {
-  const auto [nx, ny] = grid.shape;
+  const Index nx = grid.shape.nx, ny = grid.shape.ny;
   const Eigen::ArrayXd wx = window_of(windows.x, nx), wy = window_of(windows.y, ny);
   const PrunedTransform transform(grid.shape, grid.shape);
   HalfSpectrum half = transform.half_spectrum();

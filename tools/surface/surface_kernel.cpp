@@ -115,9 +115,9 @@ KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Datase
 
 // What errors of the surface ask for of the autocorrelation, in place of the kernel.
 void carry_correlation(Dataset& data, const KernelTables& tables, const Grid& grid) {
-  const auto [p, q] = lags_of_errors(grid);
-  auto asked = [p, q](const Field& table) -> Field {
-    const Index rows = std::min(table.rows(), p + 1), columns = std::min(table.cols(), 2 * q + 1);
+  const Shape lags = lags_of_errors(grid);
+  auto asked = [lags](const Field& table) -> Field {
+    const Index rows = std::min(table.rows(), lags.nx + 1), columns = std::min(table.cols(), 2 * lags.ny + 1);
     return table.block(0, (table.cols() - columns) / 2, rows, columns);
   };
   drop_variable(data, "kernel");
