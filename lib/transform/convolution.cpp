@@ -65,7 +65,7 @@ namespace {
 template <class Real, class Number>
 double unit_of(const Number* numbers, Index count, int threads) {
   if constexpr (std::is_same_v<Real, double>) return 1;
-  std::vector<double> parts(size(threads));
+  std::vector<double> parts(size(std::max(threads, 1)));
   parallel_ranges(count, threads, [&](Index begin, Index end, int thread) {
     if (begin == end) return;
     const Eigen::Map<const Eigen::ArrayX<Number>> run(numbers + begin, end - begin);

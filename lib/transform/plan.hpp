@@ -63,9 +63,8 @@ class BasicColumnTransform {
   BasicColumnTransform(Index n, Index width, Ways ways = Ways::both);
   Index points() const { return n_; }
   Index width() const { return width_; }
-  static constexpr Index stride_of(Index n) {
-    return n + 64 / sizeof(Number);
-  }  ///< no power of two, for the cache
+  /// No power of two, for the cache.
+  static constexpr Index stride_of(Index n) { return n + 64 / sizeof(Number); }
   Index stride() const { return stride_of(n_); }
   Index size() const { return width_ * stride(); }
   void forward(const Number* in, Number* out) const;
