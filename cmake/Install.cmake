@@ -17,7 +17,7 @@ install(TARGETS asperity asperity_io asperity_stats EXPORT Asperity
 # Tools find the libraries after the tree is moved.
 file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set_target_properties(${tools} PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
-set_target_properties(asperity_io asperity_stats ${modules} PROPERTIES INSTALL_RPATH $ORIGIN)
+set_target_properties(asperity asperity_io asperity_stats ${modules} PROPERTIES INSTALL_RPATH $ORIGIN)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Asperity)
 install(EXPORT Asperity NAMESPACE Asperity:: FILE AsperityTargets.cmake DESTINATION ${package_folder} COMPONENT development)

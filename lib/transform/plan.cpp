@@ -9,43 +9,47 @@
 
 #include <fftw3.h>
 
+#include "core/module.hpp"
 #include "core/room.hpp"
+#include "transform/single_columns.hpp"
 
 namespace asperity {
 namespace {
 
-// What FFTW calls by other names in each precision.
+auto raw(double* p) { return reinterpret_cast<fftw_complex*>(p); }
+auto raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }
 template <class Real>
-struct Fftw;
+Real* reals(std::complex<Real>* p) {
+  return reinterpret_cast<Real*>(p);
+}
+auto get(const Plan& p) { return static_cast<fftw_plan>(p.get()); }
+
+// Transforms of columns in each precision; single precision is loaded when it is needed.
+template <class Real>
+struct Columns;
 template <>
-struct Fftw<double> {
-  using Number = fftw_complex;
-  using Plan = fftw_plan;
-  static constexpr auto plan_columns = fftw_plan_many_dft;
-  static constexpr auto execute_columns = fftw_execute_dft;
-  static constexpr auto destroy = fftw_destroy_plan;
+struct Columns<double> {
+  static auto plan(const ColumnPlan& of, double* in, double* out) {
+    return fftw_plan_many_dft(1, &of.points, of.columns, raw(in), nullptr, 1, of.apart, raw(out), nullptr, 1,
+                              of.apart, of.sign, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  }
+  static void execute(const Plan& plan, double* in, double* out) {
+    fftw_execute_dft(get(plan), raw(in), raw(out));
+  }
 };
 template <>
-struct Fftw<float> {
-  using Number = fftwf_complex;
-  using Plan = fftwf_plan;
-  static constexpr auto plan_columns = fftwf_plan_many_dft;
-  static constexpr auto execute_columns = fftwf_execute_dft;
-  static constexpr auto destroy = fftwf_destroy_plan;
+struct Columns<float> {
+  static void* plan(const ColumnPlan& of, float* in, float* out) {
+    return ASPERITY_FROM_MODULE("asperity_single", asperity_plan_columns)(of, in, out);
+  }
+  static void execute(const Plan& plan, float* in, float* out) {
+    static const auto execute = ASPERITY_FROM_MODULE("asperity_single", asperity_execute_columns);
+    execute(plan.get(), in, out);
+  }
 };
 
-template <class Real>
-auto raw(std::complex<Real>* p) {
-  return reinterpret_cast<typename Fftw<Real>::Number*>(p);
-}
-template <class Real>
-auto raw(Real* p) {
-  return reinterpret_cast<typename Fftw<Real>::Number*>(p);
-}
-template <class Real = double>
-auto get(const Plan& p) {
-  return static_cast<typename Fftw<Real>::Plan>(p.get());
-}
+void destroy(fftw_plan plan) { fftw_destroy_plan(plan); }
+void destroy(void* single) { ASPERITY_FROM_MODULE("asperity_single", asperity_destroy_columns)(single); }
 
 // The next multiple of sixteen numbers, so that a second array behind the first is aligned too.
 std::size_t aligned(Index n) { return (size(n) + 15) / 16 * 16; }
@@ -97,7 +101,7 @@ Plan plan(Kind kind, Index nx, Index ny, std::size_t reals, Make make) {
   if (recent.size() == most_recent) recent.swap(forgotten);
   return recent[key] = Plan(made, [](auto p) {
            const std::lock_guard alone(planner);
-           Fftw<Real>::destroy(p);
+           destroy(p);
          });
 }
 
@@ -125,12 +129,13 @@ std::string transform_version() {
 
 template <class Real>
 BasicColumnTransform<Real>::BasicColumnTransform(Index n, Index width, Ways ways) : n_(n), width_(width) {
-  const int points = counted(n), columns = counted(width), apart = counted(stride());
+  const ColumnPlan columns{counted(n), counted(width), counted(stride()), 0};
   auto one_way = [&](Kind kind, int sign) {
     const std::size_t reals = aligned(2 * size());
     return plan<Real>(kind, n, width, 2 * reals, [&](Real* a) {
-      return Fftw<Real>::plan_columns(1, &points, columns, raw(a), nullptr, 1, apart, raw(a + reals), nullptr,
-                                      1, apart, sign, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+      ColumnPlan of = columns;
+      of.sign = sign;
+      return Columns<Real>::plan(of, a, a + reals);
     });
   };
   forward_ = one_way(columns_forward, FFTW_FORWARD);
@@ -139,11 +144,11 @@ BasicColumnTransform<Real>::BasicColumnTransform(Index n, Index width, Ways ways
 
 template <class Real>
 void BasicColumnTransform<Real>::forward(const Number* in, Number* out) const {
-  Fftw<Real>::execute_columns(get<Real>(forward_), raw(const_cast<Number*>(in)), raw(out));
+  Columns<Real>::execute(forward_, reals(const_cast<Number*>(in)), reals(out));
 }
 template <class Real>
 void BasicColumnTransform<Real>::inverse(const Number* in, Number* out) const {
-  Fftw<Real>::execute_columns(get<Real>(inverse_), raw(const_cast<Number*>(in)), raw(out));
+  Columns<Real>::execute(inverse_, reals(const_cast<Number*>(in)), reals(out));
 }
 
 template class BasicColumnTransform<double>;
