@@ -155,12 +155,12 @@ inline constexpr int bound_steps = 100;
 inline constexpr double bound_width = 4, bound_margin = 1.01;
 
 // The maximum: `maximum` and `depth` of validation/stress_error_time, tests/stress/maximum.cpp.
-inline constexpr double scan_ratio = 1.5;        ///< between depths of the scan
-inline constexpr double scan_shallowest = 0.25;  ///< of a cell
-inline constexpr double close = 0.01;            ///< in ln z: no new layer for a vertex this near
-inline constexpr double beside = 0.04;           ///< in ln z: distance of a point that narrows the bracket
-inline constexpr double narrow = 0.012;  ///< product of a bracket's sides, in ln z: the parabola is used
-inline constexpr int most_steps = 6;
-inline constexpr Index usual_steps = 4;  ///< of refinement
+inline constexpr double scan_ratio = 1.4142135623730951;  ///< between depths of the scan
+inline constexpr double scan_shallowest = 0.25;           ///< of a cell
+inline constexpr double scan_margin = 0.03,
+                        principal_margin = 0.15;  ///< of the largest: starts below are left
+inline constexpr double wide_margin = 0.1;        ///< added times (spacing / depth)² at most 1
+inline constexpr double same_place = 0.25;        ///< of the depth: maxima of two layers that are one
+inline constexpr double wide_cell_depth = 3;      ///< in sides of a cell of the scan
 
 }  // namespace asperity::calibration::stress

@@ -87,22 +87,36 @@ struct Rows {
   }
 };
 
-}  // namespace
-
-void corner_tile(double first, double height, std::ptrdiff_t rows, double depth, double nu,
-                 double* const out[3][6]) {
-  Corners corners;
+template <class Place>
+void each_row(Corners& corners, std::ptrdiff_t rows, double depth, double nu, double* const out[3][6],
+              Place y) {
   corners.z = depth > 1e-30 ? depth : 1e-30, corners.nu = nu;
-  each_lane(corners.X, [&](int l) { return first + l; });
   const bool arcs =
       out[normal][xx] || out[normal][yy] || out[normal][zz] || out[shear_x][xz] || out[shear_y][yz];
   for (std::ptrdiff_t j = 0; j < rows; ++j) {
-    corners.place((static_cast<double>(j) + 0.5) * height);
+    corners.place(y(j));
     corners.arc(arcs);
     if (wanted(out[normal])) corners.pressed(Rows(out[normal], j).out);
     if (wanted(out[shear_x])) corners.sheared_along_x(Rows(out[shear_x], j).out);
     if (wanted(out[shear_y])) corners.sheared_along_y(Rows(out[shear_y], j).out);
   }
+}
+
+}  // namespace
+
+void corner_tile(double first, double height, std::ptrdiff_t rows, double depth, double nu,
+                 double* const out[3][6]) {
+  Corners corners;
+  each_lane(corners.X, [&](int l) { return first + l; });
+  each_row(corners, rows, depth, nu, out,
+           [&](std::ptrdiff_t j) { return (static_cast<double>(j) + 0.5) * height; });
+}
+
+void corner_tile(const double* x, const double* y, std::ptrdiff_t rows, double depth, double nu,
+                 double* const out[3][6]) {
+  Corners corners;
+  each_lane(corners.X, [&](int l) { return x[l]; });
+  each_row(corners, rows, depth, nu, out, [&](std::ptrdiff_t j) { return y[j]; });
 }
 
 }  // namespace asperity

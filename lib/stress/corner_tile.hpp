@@ -19,4 +19,8 @@ inline constexpr std::ptrdiff_t corner_lanes = 8;
 void corner_tile(double first, double height, std::ptrdiff_t rows, double z, double poisson,
                  double* const out[3][6]);
 
+/// Likewise at X = x[l], Y = y[j] of any spacing, X > 0, Y ≥ 0.
+void corner_tile(const double* x, const double* y, std::ptrdiff_t rows, double z, double poisson,
+                 double* const out[3][6]);
+
 }  // namespace asperity

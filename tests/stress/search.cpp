@@ -90,6 +90,7 @@ TEST_CASE("the search from the surface and from above its first depth find the s
 }
 
 // A single cell bears most at the surface or near it; a cell deep and more the stress falls with the depth.
+// Blocks of cells leave up to 1e-6 of the stress of a single one (stress/cell_tree.hpp).
 TEST_CASE("where the stress falls with the depth the maximum lies at the depth from which it is asked",
           "[maximum][law]") {
   const Grid grid{{21, 17}, 0.1, 0.08};
@@ -100,8 +101,8 @@ TEST_CASE("where the stress falls with the depth the maximum lies at the depth f
     const TensorField at = layer(StressSolver({grid, p, nu}), below);
     CAPTURE(below, found.depth);
     CHECK(found.depth == below);
-    CHECK(relative_error(found.value, von_mises(tensor_at(at, 10, 8))) <= 1e-9);
-    CHECK(std::abs(found.x) <= 1e-6);
+    CHECK(relative_error(found.value, von_mises(tensor_at(at, 10, 8))) <= 1e-6);
+    CHECK(std::abs(found.x) <= 1e-4);
   }
 }
 

@@ -29,7 +29,7 @@ table stress_error_time-2
 text <<'END'
 Eight well-placed layers are as good as sixty-four (sliding, uniform); sixteen can be worse than eight (hertz, geometric). If the
 depth is unknown beforehand, layers are not reliable. Geometric layers are dense at the surface, where rough contacts yield, and
-sparse where smooth contacts do. The search (`--maximum`) costs some sixteen layers, and its error is that of the cells.
+sparse where smooth contacts do. The search (`--maximum`) looks at some twenty depths, at most of them in few cells, and its error is that of the cells.
 
 Cost of each request, in processor seconds, 32 or 64 layers:
 END
