@@ -7,21 +7,17 @@
 /// Calls are repeated in one process, which keeps what memory it has: a computation and the transforms that
 /// it is compared with find their pages where they left them. A program's first solve pays for its pages,
 /// about 2 us each.
-///
-/// Peak memory is that of a child process that does the work, less that of one that does nothing.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <malloc.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "core/stopwatch.hpp"
+#include "reference/peak_memory.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {
@@ -52,29 +48,6 @@ double seconds_of(Call call) {
   for (; fastest < 0.02; fastest = batch()) calls *= 2;
   for (int i = 0; i < batches() && total.seconds() < 2; ++i) fastest = std::min(fastest, batch());
   return fastest / calls;
-}
-
-/// The largest resident set of a child process that does this [MB], NaN if it fails.
-template <class Work>
-double resident_peak(const Work& work) {
-  ::malloc_trim(0);
-  std::fflush(stdout);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    work();
-    ::_exit(0);
-  }
-  int status = 0;
-  rusage used{};
-  const bool done = child > 0 && ::wait4(child, &status, 0, &used) == child && status == 0;
-  return done ? static_cast<double>(used.ru_maxrss) * 1024e-6 : NAN;
-}
-
-/// What this takes beyond what the process has already [MB].
-template <class Work>
-double peak_memory(const Work& work) {
-  const double idle = resident_peak([] {});
-  return resident_peak(work) - idle;
 }
 
 /// One real-to-complex transform of this size, the measure of every other cost.

@@ -42,7 +42,7 @@ Two threads help where the work consists of long, independent pieces: a spectrum
 short steps, most of them on coarser grids, and gains from some 512 cells along a side on; on small grids the threads wait for
 one another.
 
-Drawing a surface needs less memory than its heights, because it is drawn in bands. A contact needs some ten doubles per cell. The
-search for the largest stress keeps six components and their transforms at several resolutions; it needs five times that, and
-limits the grid.
+Drawing a surface needs less memory than its heights, because it is drawn in bands. A contact needs some ten doubles a cell and
+limits the grid. Layers of a volume take one field each as they are written; the search for the largest stress looks at tiles and
+wide cells, and takes less than the contact.
 END
