@@ -44,7 +44,7 @@ class Stage:
         """Whether it needs a dataset and has none: it reads one, and no option says that there is none."""
         about = _options.table(self.name)
         own = about["parameters"]
-        alone = any(value and "INPUT" in own[name]["excludes"] for name, value in self.options.items())
+        alone = any(value is True and "INPUT" in own[name]["excludes"] for name, value in self.options.items())
         return bool(about["inputs"]) and not self.surfaces and not alone
 
     def again(self, **options):
