@@ -57,6 +57,8 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "asperity ${same_version}, python3, python3-numpy, python3-xarray")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  ${PROJECT_SOURCE_DIR}/cmake/package/python/postinst ${PROJECT_SOURCE_DIR}/cmake/package/python/prerm)
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "random rough surfaces: the tools in Python
 A module whose functions run the tools of asperity. Datasets of xarray pass
 through their pipes in memory.")

@@ -31,9 +31,9 @@ std::string word_of(Value value) {
 }
 
 Json all_of(const std::set<CLI::Option*>& options) {
-  Json out = Json::array();
-  for (const CLI::Option* option : options) out.push_back(option->get_single_name());
-  return out;
+  std::set<std::string> names;  // in an order that is no address's
+  for (const CLI::Option* option : options) names.insert(option->get_single_name());
+  return names;
 }
 
 // It prints a text in place of running. Neither it nor a step, which may come again, stands in a file.

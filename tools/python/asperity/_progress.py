@@ -21,7 +21,8 @@ class Line:
     """One line that is drawn again and again, and gone at the end. Of several tools one at a time has it."""
 
     def __init__(self, shown):
-        self.shown, self.begin, self.holder, self.next, self.width = shown, time.monotonic(), None, 0, 0
+        self.shown, self.begin, self.holder, self.next = shown, time.monotonic(), None, 0
+        self.width, self.displayed = 0, False  # of what is drawn; whether a notebook has a place for it
 
     def __enter__(self):
         return self
@@ -48,7 +49,18 @@ class Line:
         self._draw("")
 
     def _draw(self, text):
-        if sys.stderr and (self.width or text):
-            sys.stderr.write("\r" + text.ljust(self.width) + ("" if text else "\r"))
-            sys.stderr.flush()
+        if self.width or text:
+            (_draw_in_notebook if in_notebook() else _draw_in_terminal)(self, text)
         self.width = len(text)
+
+
+def _draw_in_terminal(line, text):
+    if sys.stderr:
+        sys.stderr.write("\r" + text.ljust(line.width) + ("" if text else "\r"))
+        sys.stderr.flush()
+
+
+def _draw_in_notebook(line, text):
+    from IPython.display import display, update_display
+    show, line.displayed = update_display if line.displayed else display, True
+    show({"text/plain": text}, raw=True, display_id=f"asperity-{id(line)}")
