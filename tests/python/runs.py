@@ -106,7 +106,7 @@ class Interruptions(support.TestCase):
         for run in (lambda: asp.pipe(surface, asp.contact(**endless), asp.stress(maximum=True)),
                     lambda: list(asp.ensemble(asp.stage.generate(**LONG), asp.contact(**endless), count=4))):
             alarm(0.5)
-                self.assertRaises(KeyboardInterrupt, run)
+            self.assertRaises(KeyboardInterrupt, run)
 
     def test_an_ensemble_that_is_left_ends_its_processes(self):
         members = asp.ensemble(asp.stage.generate(**LONG), count=50)
