@@ -18,6 +18,8 @@ from support import STEEL, SURFACE
 
 import numpy
 import asperity as asp
+from asperity._calls import in_a_pipe
+from asperity._run import Run
 
 LONG = dict(shape=(512, 512), size="3mm", rq="0.4um", length="17px", seed=7)
 PRESS = dict(young="208GPa", poisson=0.3, load="50N")
@@ -52,7 +54,12 @@ class Errors(support.TestCase):
                 run()
             self.assertEqual((caught.exception.status, caught.exception.dataset.contact_converged), (3, 0))
 
-    # The contact would take minutes: it is ended with the tool that fails behind it.
+    def test_a_tool_is_ended_when_the_one_that_reads_it_has_failed(self):
+        run = Run(*in_a_pipe([asp.stage.generate(**LONG), asp.contact(**PRESS, accuracy="0.1%"),
+                              asp.stress(poisson="little", maximum=True)]))
+        self.assertRaisesRegex(asp.UsageError, "^asperity-stress: --poisson", run.execute().deliver)
+        self.assertEqual(run.ended, {0, 1})
+
     def test_the_tool_that_failed_is_named_not_the_one_that_it_starved_or_deafened(self):
         flat = asp.dataset(numpy.zeros((1500, 1500)), size="3mm")
         self.assertRaisesRegex(asp.UsageError, "^asperity-contact: --young", asp.contact, flat, young="much")
@@ -109,9 +116,11 @@ class Interruptions(support.TestCase):
             self.assertRaises(KeyboardInterrupt, run)
 
     def test_an_ensemble_that_is_left_ends_its_processes(self):
-        members = asp.ensemble(asp.stage.generate(**LONG), count=50)
+        members = asp.ensemble(asp.stage.generate(**LONG), count=50, processes=2)
         next(members)
-        members.close()
+        with unittest.mock.patch.object(Run, "stop", autospec=True, side_effect=Run.stop) as stop:
+            members.close()
+        self.assertEqual(stop.call_count, 2)
 
     def test_a_failing_member_ends_the_ensemble(self):
         self.assertRaisesRegex(asp.UsageError, "--rq", list, asp.ensemble(**dict(SURFACE, rq="1"), count=4))
