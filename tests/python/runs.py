@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """However a run ends, it is told in one line, and no process, open file or temporary file is left."""
+import contextlib
 import io
 import logging
 import os
@@ -25,9 +26,15 @@ LONG = dict(shape=(512, 512), size="3mm", rq="0.4um", length="17px", seed=7)
 PRESS = dict(young="208GPa", poisson=0.3, load="50N")
 
 
+@contextlib.contextmanager
 def alarm(seconds):
-    """Ctrl-C after a while."""
-    threading.Timer(seconds, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    """Ctrl-C after a while, unless all is over before."""
+    timer = threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
 
 
 class Errors(support.TestCase):
@@ -112,8 +119,8 @@ class Interruptions(support.TestCase):
         endless = dict(PRESS, accuracy="0.1%")
         for run in (lambda: asp.pipe(surface, asp.contact(**endless), asp.stress(maximum=True)),
                     lambda: list(asp.ensemble(asp.stage.generate(**LONG), asp.contact(**endless), count=4))):
-            alarm(0.5)
-            self.assertRaises(KeyboardInterrupt, run)
+            with alarm(0.5):
+                self.assertRaises(KeyboardInterrupt, run)
 
     def test_an_ensemble_that_is_left_ends_its_processes(self):
         members = asp.ensemble(asp.stage.generate(**LONG), count=50, processes=2)

@@ -88,7 +88,7 @@ TEST_CASE("a description for programs has every option of --help, and the unit o
   const Outcome names = shell(tool + " --describe | jq -r '.options[].names[]' | sort");
   CHECK(names.exit == 0);
   CHECK(names.out == shell(tool + " --help | sed '/^Accuracy:/q' | grep -oE '^  (-., )?--?[a-z-]+' |" +
-                           " tr -d , | xargs -n 1 | sort")
+                           " grep -oE -- '--?[a-z-]+' | sort")
                          .out);
   CHECK(shell(tool + " --describe | jq -r '.tool, .statuses[0].meaning'").out == tool + "\ndone\n");
   const auto told = [](const std::string& option) {
