@@ -9,6 +9,8 @@ from . import _options, _progress
 from ._calls import Stage, in_a_pipe
 from ._run import Run
 
+PERIOD = 0.2  # seconds between two looks at the progress
+
 
 def members(stages, count, first, seed, processes):
     """Checks the call, and returns the generator."""
@@ -52,15 +54,15 @@ def _members(stages, numbers, seed, processes):
                 waiting.append((run, pool.submit(run.execute)))
         try:
             begin(processes)
-            for done in itertools.count() if waiting else ():
-                line.show(0, f"asperity.ensemble: {done} of {len(numbers)} surfaces")
-                outcome = waiting[0][1].result()
+            for done in range(len(numbers)):
+                future = waiting[0][1]
+                while not future.done():
+                    line.show(0, f"asperity.ensemble: {done} of {len(numbers)} surfaces")
+                    concurrent.futures.wait([future], timeout=PERIOD)
+                line.clear()
                 del waiting[0]
                 begin(1)
-                line.clear()
-                yield outcome.deliver()
-                if not waiting:
-                    break
+                yield future.result().deliver()
         finally:
             for run, future in waiting:
                 run.stop()
