@@ -24,6 +24,7 @@ from asperity._run import Run
 
 LONG = dict(shape=(512, 512), size="3mm", rq="0.4um", length="17px", seed=7)
 PRESS = dict(young="208GPa", poisson=0.3, load="50N")
+ENDLESS = dict(young="208GPa", poisson=0.3, sweep="1N:100N:5000")  # hours
 
 
 @contextlib.contextmanager
@@ -62,10 +63,10 @@ class Errors(support.TestCase):
             self.assertEqual((caught.exception.status, caught.exception.dataset.contact_converged), (3, 0))
 
     def test_a_tool_is_ended_when_the_one_that_reads_it_has_failed(self):
-        run = Run(*in_a_pipe([asp.stage.generate(**LONG), asp.contact(**PRESS, accuracy="0.1%"),
+        run = Run(*in_a_pipe([asp.stage.contact(asp.generate(**LONG), **ENDLESS),
                               asp.stress(poisson="little", maximum=True)]))
         self.assertRaisesRegex(asp.UsageError, "^asperity-stress: --poisson", run.execute().deliver)
-        self.assertEqual(run.ended, {0, 1})
+        self.assertEqual(run.ended, {0})
 
     def test_the_tool_that_failed_is_named_not_the_one_that_it_starved_or_deafened(self):
         flat = asp.dataset(numpy.zeros((1500, 1500)), size="3mm")
@@ -116,9 +117,8 @@ class Errors(support.TestCase):
 class Interruptions(support.TestCase):
     def test_ctrl_c_ends_a_pipe_and_an_ensemble_at_once(self):
         surface = asp.generate(**LONG)
-        endless = dict(PRESS, accuracy="0.1%")
-        for run in (lambda: asp.pipe(surface, asp.contact(**endless), asp.stress(maximum=True)),
-                    lambda: list(asp.ensemble(asp.stage.generate(**LONG), asp.contact(**endless), count=4))):
+        for run in (lambda: asp.pipe(surface, asp.filter(scale=2), asp.contact(**ENDLESS)),
+                    lambda: list(asp.ensemble(asp.stage.generate(**LONG), asp.contact(**ENDLESS), count=4))):
             with alarm(0.5):
                 self.assertRaises(KeyboardInterrupt, run)
 
