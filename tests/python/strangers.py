@@ -147,6 +147,11 @@ class Words(support.TestCase):
         history = asp.filter(surface(), median=["3px", "5px"], remove_form="plane", scale=-1).history
         self.assertIn("asperity-filter --median 3px --median 5px --remove-form plane --scale=-1\n", history)
 
+    # The truth of an array was asked for.
+    def test_a_stage_may_have_an_array_among_its_options(self):
+        stage = asp.stress(depths=numpy.array([0, 5e-6]))
+        self.assertEqual(list(stage(asp.contact(surface(), **STEEL)).z.values), [0, 5e-6])
+
     def test_numbers_with_units_of_their_own_keep_them(self):
         class Quantity:  # as pint's
             magnitude = 3.0
