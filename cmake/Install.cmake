@@ -1,5 +1,5 @@
-# Rules for `cmake --install`, in three components: the tools, the shared libraries, and the development files (headers
-# under include/asperity, CMake package, asperity.pc).
+# Rules for `cmake --install`, in four components: the tools, the shared libraries, the development files (headers under
+# include/asperity, CMake package, asperity.pc), and the module of Python.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -46,3 +46,7 @@ install(FILES ${pages} ${PROJECT_SOURCE_DIR}/docs/pipeline.svg ${PROJECT_SOURCE_
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/asperity COMPONENT tools)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CITATION.cff
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/asperity COMPONENT tools)
+
+set(ASPERITY_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the module of Python is installed")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python/asperity DESTINATION ${ASPERITY_PYTHON_DIR} COMPONENT python
+  FILES_MATCHING PATTERN *.py)

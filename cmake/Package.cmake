@@ -1,5 +1,5 @@
-# Debian packages by `cpack`: asperity (the tools), libasperity0.1 (named after its SOVERSION, as usual in Debian) and
-# libasperity-dev. dpkg-shlibdeps finds the dependencies.
+# Debian packages by `cpack`: asperity (the tools), libasperity0.1 (named after its SOVERSION, as usual in Debian),
+# libasperity-dev and python3-asperity. dpkg-shlibdeps finds the dependencies of the first three.
 if(NOT BUILD_SHARED_LIBS)
   return()  # the tools and the development package would each contain the library
 endif()
@@ -13,7 +13,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL tools runtime development)
+set(CPACK_COMPONENTS_ALL tools runtime development python)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -50,6 +50,18 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${runtime} ${same_version}, libeig
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "random rough surfaces: headers of the C++ library
 Files to build a C++20 program with Asperity: headers, the CMake package
 Asperity, and asperity.pc for pkg-config.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-asperity)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "asperity ${same_version}, python3, python3-numpy, python3-xarray")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  ${PROJECT_SOURCE_DIR}/cmake/package/python/postinst ${PROJECT_SOURCE_DIR}/cmake/package/python/prerm)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "random rough surfaces: the tools in Python
+A module whose functions run the tools of asperity. Datasets of xarray pass
+through their pipes in memory.")
 
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package/documents.cmake)
 include(CPack)

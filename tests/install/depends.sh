@@ -11,6 +11,9 @@ for package in libfftw3-double3 libgsl27 libnetcdf19 libsundials-kinsol6 libudun
 done
 needs libasperity-dev Depends "$library \(= $version-1\)"
 needs libasperity-dev Depends libeigen3-dev
-for package in asperity "$library" libasperity-dev; do
+needs python3-asperity Depends "asperity \(= $version-1\)"
+needs python3-asperity Depends python3-xarray
+needs python3-asperity Architecture all
+for package in asperity "$library" libasperity-dev python3-asperity; do
   for name in Maintainer Section Description; do [ -n "$(field $package $name)" ]; done
 done

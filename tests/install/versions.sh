@@ -3,6 +3,7 @@ set -euo pipefail
 same() { [ "$2" = "$version" ] || { echo "$1 says $2, the project is $version" >&2; exit 1; }; }
 for tool in "$prefix"/bin/asperity-*; do same "$tool" "$("$tool" --version | grep -oE '[0-9]+(\.[0-9]+)+' | head -1)"; done
 same asperity.pc "$(PKG_CONFIG_PATH="$prefix/$libdir/pkgconfig" pkg-config --modversion asperity)"
+same asperity.__version__ "$(sed -n 's/^__version__ = "\(.*\)"/\1/p' "$prefix"/lib/python3/dist-packages/asperity/__init__.py)"
 same CITATION.cff "$(sed -n 's/^version: //p' "$source/CITATION.cff")"
 
 rm -rf "$1" && mkdir -p "$1"

@@ -81,6 +81,36 @@ TEST_CASE("bash completes options, the words of a choice and files", "[completio
   CHECK(offered("kernel", "--he") == "--help\n");
 }
 
+TEST_CASE("a description for programs has every option of --help, and the unit of a number",
+          "[describe][contract]") {
+  const std::string tool = "asperity-" + std::string(each_tool());
+  CAPTURE(tool);
+  const Outcome names = shell(tool + " --describe | jq -r '.options[].names[]' | sort");
+  CHECK(names.exit == 0);
+  CHECK(names.out == shell(tool + " --help | sed '/^Accuracy:/q' | grep -oE '^  (-., )?--?[a-z-]+' |" +
+                           " grep -oE -- '--?[a-z-]+' | sort")
+                         .out);
+  CHECK(shell(tool + " --describe | jq -r '.tool, .statuses[0].meaning'").out == tool + "\ndone\n");
+  const auto told = [](const std::string& option) {
+    return shell("asperity-contact --describe | jq -c '.options[] | select(.name == \"" + option + "\")" +
+                 " | [.value, .unit, .words, .required, .prints, .excludes]'")
+        .out;
+  };
+  CHECK(told("load") == "[\"other\",\"N\",[],false,false,[]]\n");
+  CHECK(told("young") == "[\"other\",\"Pa\",[],true,false,[]]\n");
+  CHECK(told("smooth") == "[\"flag\",\"\",[],false,false,[\"INPUT\",\"variable\"]]\n");
+  CHECK(told("progress") == "[\"word\",\"\",[\"auto\",\"always\",\"never\"],false,false,[]]\n");
+  CHECK(told("man") == "[\"flag\",\"\",[],false,true,[]]\n");
+}
+
+// The choices of FILE.png|.svg|.pdf were offered as words.
+TEST_CASE("a kind that names files is completed by files", "[completion][contract]") {
+  shell("touch map.png");
+  CHECK(offered("plot", "-o ma") == "map.png\n");
+  shell("touch heights.nc");
+  CHECK(offered("generate", "--marginal hei") == "heights.nc\n");
+}
+
 TEST_CASE("completions are right by the grammar of their shells", "[completion][contract][slow]") {
   const std::string tool = std::string("asperity-") + each_tool();
   CAPTURE(tool);

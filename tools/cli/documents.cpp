@@ -40,11 +40,21 @@ std::string kind_of(const CLI::Option& option) {
   return kind.size() > longest_list && kind.find('|') != kind.npos ? "WORD" : kind;
 }
 
+Value value_of(const CLI::Option& option) {
+  if (is_flag(option)) return Value::none;
+  const std::string kind = option.get_type_name();
+  if (kind.find("FILE") != kind.npos || kind == "PATTERN") return Value::file;  // "NAME|FILE" too
+  if (kind.find('|') != kind.npos) return Value::word;
+  return option.get_positional() ? Value::file : Value::other;
+}
+
+std::vector<std::string> words_of(const CLI::Option& option) { return split(option.get_type_name(), '|'); }
+
 std::string text_of(const CLI::Option& option) {
   std::string text = flowing(option.get_description());
   if (text.ends_with('.')) text.pop_back();
   if (const std::string kind = option.get_type_name(); kind != kind_of(option))
-    text += fmt::format(". One of {}", fmt::join(split(kind, '|'), ", "));
+    text += fmt::format(". One of {}", fmt::join(words_of(option), ", "));
   if (option.get_required()) return text + ". Required";
   const std::string usual = option.get_default_str();
   return usual.empty() ? text : text + ". Default: " + usual;
@@ -170,22 +180,9 @@ std::string man_page(const CLI::App& app, const Documents& more) {
 
 namespace {
 
-// What can stand behind an option.
-enum class Value { none, file, word, other };
-
-Value value_of(const CLI::Option& option) {
-  if (is_flag(option)) return Value::none;
-  const std::string kind = option.get_type_name();
-  if (kind.find('|') != kind.npos) return Value::word;
-  return kind.starts_with("FILE") || kind == "PATTERN" || option.get_positional() ? Value::file
-                                                                                  : Value::other;
-}
-
-// "exponential|gaussian" as "exponential gaussian"
-std::string words_of(const CLI::Option& option) {
-  std::string out = option.get_type_name();
-  std::ranges::replace(out, '|', ' ');
-  return out;
+// "exponential gaussian"
+std::string in_a_line(const CLI::Option& option) {
+  return fmt::format("{}", fmt::join(words_of(option), " "));
 }
 
 // The names of all options of these kinds.
@@ -219,7 +216,7 @@ std::string argument(const CLI::Option& option) {
     for (std::string& name : names) name += name.starts_with("--") ? "=" : "+";
   std::string rest = "[" + described(option.get_description()) + "]";
   if (value == Value::file) rest += ":file:_files";
-  if (value == Value::word) rest += ":word:(" + words_of(option) + ")";
+  if (value == Value::word) rest += ":word:(" + in_a_line(option) + ")";
   if (value == Value::other) rest += ":" + described(option.get_type_name()) + ": ";
   const char* repeated = option.get_items_expected_max() > 1 ? "*" : "";  // Tool::step
   return names.size() == 1 ? fmt::format("'{}{}{}'", repeated, names[0], rest)
@@ -257,10 +254,10 @@ std::string bash_completion(const CLI::App& app) {
   std::string arguments = "-f";
   for (const CLI::Option* option : app.get_options())
     if (value_of(*option) == word && option->get_positional())
-      arguments = "-W '" + words_of(*option) + "'";
+      arguments = "-W '" + in_a_line(*option) + "'";
     else if (value_of(*option) == word)
       branches += branch(names_of(*option),
-                         "mapfile -t COMPREPLY < <(compgen -W '" + words_of(*option) + "' -- \"$current\")");
+                         "mapfile -t COMPREPLY < <(compgen -W '" + in_a_line(*option) + "' -- \"$current\")");
   branches += branch(all_names(app, {file}),
                      "compopt -o filenames 2>/dev/null\n"
                      "      mapfile -t COMPREPLY < <(compgen -f -- \"$current\")");
@@ -278,7 +275,7 @@ std::string zsh_completion(const CLI::App& app) {
       out += " \\\n  " + argument(*option);
     else
       arguments =
-          value_of(*option) == Value::word ? "':word:(" + words_of(*option) + ")'" : "'*:file:_files'";
+          value_of(*option) == Value::word ? "':word:(" + in_a_line(*option) + ")'" : "'*:file:_files'";
   return out + (arguments.empty() ? "" : " \\\n  " + arguments) + "\n";
 }
 

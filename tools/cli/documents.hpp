@@ -1,5 +1,5 @@
 /// What a tool prints about itself, from CLI11's list of its options: two lengths of help, the manual page,
-/// and completions for shells.
+/// completions for shells, and a description for programs.
 #pragma once
 
 #include <string>
@@ -19,6 +19,11 @@ std::vector<std::string> names_of(const CLI::Option& option);
 bool is_flag(const CLI::Option& option);
 /// What stands behind its name: "FILE", "x|y", or "WORD" of a long list of words, which text_of() has.
 std::string kind_of(const CLI::Option& option);
+/// What can stand behind its name: nothing, the name of a file, one of some words, or something else.
+enum class Value { none, file, word, other };
+Value value_of(const CLI::Option& option);
+/// "exponential|gaussian", the words of Value::word.
+std::vector<std::string> words_of(const CLI::Option& option);
 /// Its text, a list of words that is too long for its kind, and its default.
 std::string text_of(const CLI::Option& option);
 /// Words with a blank between them, in lines of at most `width` columns, each but the first after `indent`.
@@ -35,6 +40,10 @@ std::string man_page(const CLI::App& app, const Documents& more);
 /// A text as roff prints it: \ - ' ` ^ ~ and a period that begins a line are escaped, what is not ASCII
 /// stands by its code point.
 std::string roff(const std::string& text);
+
+/// One JSON object: the tool, its options (name, kind, unit of a bare number, text, which others it excludes)
+/// and its exit statuses. Python's module asperity makes its functions of it (docs/python.md).
+std::string description(const CLI::App& app, const Documents& more);
 
 /// To be sourced, or found under share/bash-completion/completions.
 std::string bash_completion(const CLI::App& app);

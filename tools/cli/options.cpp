@@ -113,22 +113,27 @@ Option Tool::words(const std::string& name, std::vector<std::string>& value,
   return parsed(name, "WORD,...", text, group, fmt::format("{}", fmt::join(value, ",")), into(value, read));
 }
 
+Option Tool::in_units(const std::string& unit, Option option) {
+  documents_.units[option.of->get_single_name()] = unit;
+  return option;
+}
+
 Option Tool::quantity(const std::string& name, double& value, const std::string& unit,
                       const std::string& text, const std::string& group) {
-  return parsed(name, "QUANTITY", text, group, std::isnan(value) ? "" : format_quantity(value, unit),
-                into(value, parse_quantity, unit));
+  const std::string shown = std::isnan(value) ? "" : format_quantity(value, unit);
+  return in_units(unit, parsed(name, "QUANTITY", text, group, shown, into(value, parse_quantity, unit)));
 }
 
 Option Tool::quantities(const std::string& name, std::array<double, 2>& values, const std::string& unit,
                         const std::string& text, const std::string& group) {
-  const std::string shown = format_quantity(values[0], unit) + "," + format_quantity(values[1], unit);
-  return parsed(name, "A[,B]", text, group, std::isnan(values[0]) ? "" : shown,
-                into(values, parse_quantities, unit));
+  const std::string shown =
+      std::isnan(values[0]) ? "" : format_quantity(values[0], unit) + "," + format_quantity(values[1], unit);
+  return in_units(unit, parsed(name, "A[,B]", text, group, shown, into(values, parse_quantities, unit)));
 }
 
 Option Tool::lengths(const std::string& name, std::array<SampledLength, 2>& values, const std::string& text,
                      const std::string& group) {
-  return parsed(name, "A[,B]", text, group, "", into(values, parse_lengths));
+  return in_units("m", parsed(name, "A[,B]", text, group, "", into(values, parse_lengths)));
 }
 
 Option Tool::counts(const std::string& name, Shape& value, const Bounds& bounds, const std::string& text,
@@ -241,6 +246,11 @@ void Tool::add_documents() {
            tell(shell == "bash" ? bash_completion(*app_) : zsh_completion(*app_));
          })
       .of->configurable(false);
+  app_->add_flag_callback(
+          "--describe", [this] { tell(description(*app_, documents_)); },
+          "Print the tool, its options and exit statuses as one JSON object, for programs, and exit")
+      ->group(common)
+      ->configurable(false);
   app_->set_version_flag("--version", name_ + " " + version() + " (" + libraries() + ")\n",
                          "Print the versions of the tool and its libraries and exit")
       ->group(common)

@@ -57,6 +57,8 @@ struct Documents {
   std::string example, accuracy;
   std::vector<std::string> essential;  ///< options of the short help, in its order
   std::vector<ExitStatus> statuses;
+  std::map<std::string, std::string> units =
+      {};  ///< the SI unit in which a program gives a number, by option
 };
 
 /// "ASPERITY_STATS_LAMBDA_C" of asperity-stats and lambda-c.
@@ -234,6 +236,7 @@ class Tool {
   void about(const std::string& surface) const;
 
  private:
+  Option in_units(const std::string& unit, Option option);
   std::vector<Step> steps_of_command_line() const;
   std::vector<Step> steps_of_text() const;
   void settle_steps();

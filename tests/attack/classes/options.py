@@ -27,7 +27,7 @@ BASE = {"acf": ["g.nc", "-o", "out.nc"],
         "stress": ["c.nc", "--depths", "1um,2um", "--components", "all", "-o", "out.nc"], "validate": ["s.nc", "-o",
                                                                                                        "out.tsv"]}
 LIMITS = ("t30", "v4000000", "f1000000")
-DOCUMENTS = ("--help", "--man", "--version", "--dump-config", "--completion")
+DOCUMENTS = ("--help", "--man", "--version", "--dump-config", "--completion", "--describe")
 
 NUMBERS = ["0", "-1", "1", "0.5", "2", "7", "1e300", "-1e300", "nan", "inf", "-inf", "1e-300", "1e400", "0x10", "1,2",
            "1,2,3", "ten",

@@ -1,0 +1,94 @@
+#!/usr/bin/python3
+"""The numbers are the shell's, and what Python knows of the tools is what they say."""
+import inspect
+import io
+import json
+import subprocess
+
+import support
+from support import STEEL, STEEL_WORDS, SURFACE, SURFACE_WORDS, shell
+
+import numpy
+import asperity as asp
+from asperity import _encode, _options
+
+PRESSED = f"asperity-generate {SURFACE_WORDS} | asperity-contact {STEEL_WORDS}"
+DEPTHS = "0:0.2mm:8"
+
+
+class SameBits(support.TestCase):
+    def test_a_surface_is_the_shells(self):
+        self.assert_same_bits(asp.generate(**SURFACE), shell(f"asperity-generate {SURFACE_WORDS}")[0])
+
+    def test_a_pipe_is_the_shells_whether_the_surface_is_drawn_before_it_or_in_it(self):
+        expected = shell(f"{PRESSED} 2>/dev/null | asperity-stress --depths {DEPTHS} 2>/dev/null")[0]
+        with self.assertWarns(asp.ToolWarning):
+            one = asp.pipe(asp.generate(**SURFACE), asp.contact(**STEEL), asp.stress(depths=DEPTHS))
+        with self.assertWarns(asp.ToolWarning):
+            other = asp.pipe(asp.stage.generate(**SURFACE), asp.contact(**STEEL), asp.stress(depths=DEPTHS))
+        self.assert_same_bits(one, expected)
+        self.assert_same_bits(other, expected)
+
+    def test_a_table_is_the_shells(self):
+        rows = shell(f"asperity-generate {SURFACE_WORDS} | asperity-stats --parameters all")[0].decode().splitlines()
+        table = asp.stats(asp.generate(**SURFACE), parameters="all")
+        self.assertEqual(len(table), len(rows) - 1)
+        for row in rows[1:]:
+            name, *numbers, unit, meaning = row.split("\t")
+            numpy.testing.assert_array_equal(table.loc[name, list(table.columns[:4])].astype(float),
+                                             [float(n) for n in numbers], name)
+            self.assertEqual((table.loc[name, "unit"], table.loc[name, "meaning"]), (unit, meaning))
+
+    def test_an_ensemble_is_the_shells_however_many_processes_draw_it(self):
+        for processes in (1, 3):
+            drawn = list(asp.ensemble(**SURFACE, count=3, first=2, processes=processes))
+            for k, surface in enumerate(drawn, 2):
+                words = SURFACE_WORDS.replace("--seed 7", f"--first {k} --seed 7")
+                self.assert_same_bits(surface, shell(f"asperity-generate {words}")[0])
+
+    def test_a_number_is_the_quantity_in_si(self):
+        one = asp.generate(**{**SURFACE, "size": (1e-3, 6e-4), "rq": numpy.float64(4e-7), "length": 5e-5})
+        other = asp.generate(**{**SURFACE, "size": "1e-3m,6e-4m", "rq": "4e-7m", "length": "5e-5m"})
+        self.assertEqual(one.heights.values.tobytes(), other.heights.values.tobytes())
+
+    def test_a_dataset_that_comes_back_is_the_one_that_went(self):
+        surface = asp.generate(**SURFACE)
+        back = asp.convert(surface, no_history=True)
+        self.assertTrue(surface.identical(back))
+        # The other reader understands what is written, too.
+        raw = b"".join(_encode.encoded(surface))
+        self.assert_same_bits(surface, raw)
+        with support.xarray.open_dataset(io.BytesIO(raw), engine="scipy") as seen:
+            self.assertTrue(seen.equals(surface))
+
+
+class OneTable(support.TestCase):
+    def test_every_tool_is_a_function_and_every_option_of_its_help_a_parameter(self):
+        listed = [line.split()[1] for line in shell("asperity")[0].decode().splitlines() if line.startswith("  asp")]
+        self.assertLessEqual(set(listed), set(dir(asp)))
+        for tool in listed:
+            parameters = inspect.signature(getattr(asp, tool)).parameters
+            text = subprocess.run([f"asperity-{tool}", "--help"], capture_output=True, text=True).stdout
+            for line in text.partition("\nAccuracy:")[0].splitlines():
+                if line.startswith("  -"):
+                    name = next(w for w in line.replace(",", " ").split() if w.startswith("--")) if "--" in line else "-h"
+                    self.assert_known(tool, name.lstrip("-"), parameters)
+
+    def assert_known(self, tool, option, parameters):
+        left_out = ("h", "help", "man", "completion", "describe", "version", "dump-config", "quiet", "json")
+        self.assertEqual(_options.python_name(option) in parameters, option not in left_out, f"{tool} --{option}")
+
+    def test_documentation_has_the_text_of_each_option_and_the_unit_of_a_number(self):
+        text = asp.contact.__doc__
+        about = json.loads(shell("asperity-contact --describe")[0])
+        for option in about["options"]:
+            if option["names"] and not option["prints"] and option["name"] not in ("quiet", "json"):
+                self.assertIn(option["text"], text)
+        self.assertIn("load : QUANTITY, a number is in N\n", text)
+        self.assertIn("yield_ : QUANTITY, a number is in Pa\n", text)
+        self.assertIn("radius : A[,B], a number is in m\n", text)
+        self.assertIn("poisson : A[,B]\n", text)
+
+
+if __name__ == "__main__":
+    support.main()

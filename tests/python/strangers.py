@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+"""What strangers pass to the module is understood, or refused in one line; nothing is left behind."""
+import support
+from support import STEEL, SURFACE
+
+import numpy
+import xarray
+import asperity as asp
+
+HEIGHTS = numpy.random.default_rng(1).normal(size=(12, 16)) * 1e-6
+
+
+def surface(**attributes):
+    out = asp.dataset(HEIGHTS, size="3mm,4mm")
+    out.attrs.update(attributes)
+    return out
+
+
+class Arrays(support.TestCase):
+    def test_an_array_keeps_its_values_in_any_layout_and_type(self):
+        arrays = [HEIGHTS, numpy.asfortranarray(HEIGHTS), HEIGHTS[::2, ::-1], HEIGHTS.astype(">f8"), HEIGHTS.T,
+                  HEIGHTS.astype("f4"), HEIGHTS.astype("f2"), HEIGHTS.tolist(), numpy.arange(12).reshape(3, 4),
+                  numpy.arange(12, dtype="u2").reshape(3, 4)]
+        for array in arrays:
+            drawn = asp.dataset(array, size="1mm").heights.values
+            numpy.testing.assert_array_equal(drawn, numpy.asarray(array, "f8"))
+
+    def test_masked_points_and_nan_are_missing_there_and_back(self):
+        masked = numpy.ma.masked_greater(HEIGHTS, 1e-6)
+        missing = masked.mask
+        out = asp.filter(asp.dataset(masked, size="3mm,4mm"), scale=1)
+        numpy.testing.assert_array_equal(numpy.isnan(out.heights), missing)
+        numpy.testing.assert_array_equal(out.heights.values[~missing], HEIGHTS[~missing])
+        self.assertEqual(asp.stats(out).loc["N", "value"], (~missing).sum())
+        integers = asp.dataset(numpy.ma.masked_equal(numpy.arange(12).reshape(3, 4), 5), size="1mm", unit="nm")
+        self.assertTrue(numpy.isnan(integers.heights[1, 1]))
+
+    def test_the_coordinates_are_middles_of_cells_in_the_unit_that_is_asked_for(self):
+        out = asp.dataset([[1, 2], [3, 4], [5, 6]], size=(3e-3, 4e-3), unit="um", periodic="x")
+        numpy.testing.assert_allclose(out.x, [-1e-3, 0, 1e-3], atol=1e-18)
+        numpy.testing.assert_allclose(out.heights.values.ravel(), numpy.arange(1, 7) * 1e-6, rtol=1e-15)
+        self.assertEqual((out.x.periodic, out.y.periodic, out.x.length), (1, 0, 3e-3))
+
+    def test_a_field_of_xarray_brings_its_coordinates_and_its_order(self):
+        field = surface().heights
+        again = asp.dataset(field.transpose("y", "x"))
+        numpy.testing.assert_array_equal(again.heights, field)
+        numpy.testing.assert_allclose(again.x, field.x, rtol=1e-12)
+
+    def test_what_is_no_map_is_refused(self):
+        for array in (HEIGHTS[0], numpy.zeros((0, 3)), numpy.zeros((2, 2, 2))):
+            self.assertRaisesRegex(ValueError, "two dimensions", asp.dataset, array, "1mm")
+        for array in (HEIGHTS * 1j, "abc", None, [["a"]], numpy.array([[None]])):
+            self.assertRaisesRegex(TypeError, "no real numbers", asp.dataset, array, "1mm")
+        self.assertRaisesRegex(TypeError, "size is missing", asp.dataset, HEIGHTS)
+        self.assertRaisesRegex(asp.UsageError, "has no unit", asp.dataset, HEIGHTS, "3")
+        self.assertRaisesRegex(asp.BadData, "all points are missing", asp.dataset, HEIGHTS * numpy.nan, "3mm")
+        self.assertRaisesRegex(TypeError, "asperity.dataset", asp.stats, HEIGHTS)
+
+
+class Datasets(support.TestCase):
+    tools_may_warn = True
+
+    def test_orders_types_and_units_are_understood(self):
+        one = surface()
+        expected = asp.stats(one).loc["Sq", "value"]
+        micro = one.assign(heights=one.heights * 1e6)
+        micro.heights.attrs.update(one.heights.attrs, units="um", unit="um")
+        for other, accuracy in ((one.transpose("y", "x"), 0), (one.heights, 0), (micro, 1e-15),
+                                (one.assign(heights=one.heights.astype("f4")), 1e-7)):
+            if isinstance(other, xarray.Dataset) and other.heights.dtype == "f4":
+                other.heights.attrs.update(one.heights.attrs)
+            self.assertLessEqual(abs(asp.stats(other).loc["Sq", "value"] / expected - 1), accuracy)
+
+    def test_a_field_with_a_name_is_the_one_that_is_measured(self):
+        pressed = asp.contact(surface(), **STEEL, add="elastic_energy")
+        table = asp.stats(pressed.pressure)
+        self.assertEqual(table.loc["Sq", "unit"], "Pa")
+
+    def test_coordinates_attributes_and_history_pass_through(self):
+        one = surface(note="µ", number=7, many=[1, 2], large=2**40, truth=True)
+        one = one.assign_coords(sample="A12", time=numpy.datetime64("2020-01-01T12:00", "ns"),
+                                label=("part", ["a", "bc"]), count=("part", [1, 2]))
+        out = asp.convert(one)
+        self.assertEqual(out.sample.item(), "A12")
+        self.assertEqual(list(out.label.values), ["a", "bc"])
+        self.assertEqual(list(out["count"].values), [1, 2])
+        self.assertEqual(out.time.values, one.time.values)
+        self.assertLessEqual({"sample", "time", "label", "count"}, set(out.coords))
+        self.assertEqual([out.attrs[n] for n in ("note", "number", "large", "truth")], ["µ", 7, 2.0**40, 1])
+        self.assertEqual(out.history.splitlines()[1:], one.history.splitlines())
+
+    def test_what_netcdf_does_not_hold_is_told(self):
+        with self.assertWarnsRegex(asp.ToolWarning, "left out: settings, nothing"):
+            asp.convert(surface(settings={"a": 1}, nothing=None))
+        for values in (numpy.zeros(3, complex), numpy.array([1, "a"], object)):
+            self.assertRaisesRegex(TypeError, "'odd'", asp.stats, surface().assign(odd=("w", values)))
+        self.assertRaisesRegex(asp.BadData, "x is missing; the dataset has heights, u, y", asp.stats,
+                               surface().rename(x="u"))
+
+    def test_several_surfaces_have_the_names_that_their_list_or_dictionary_gives(self):
+        surfaces = list(asp.ensemble(**SURFACE, count=2))
+        table = asp.contact({"rough": surfaces[0], "other": surfaces[1]}, young="1GPa", poisson=0.3, load="1N")
+        self.assertEqual(list(table.index[:2]), ["rough", "other"])
+        self.assertEqual(list(asp.contact(surfaces, young="1GPa", poisson=0.3, load="1N").index[:2]),
+                         ["datasets[0]", "datasets[1]"])
+        self.assertEqual(asp.stats(*surfaces).loc["Sq", "surfaces"], 2)
+
+    def test_a_dataset_a_table_or_bytes_stand_for_a_file(self):
+        one = surface()
+        self.assertIn("--counter counter", asp.contact(one, **STEEL, counter=one).history)
+        self.assertEqual(len(asp.convert(asp.convert(one, to="gsf"), from_="gsf").x), 12)
+        points = asp.stress(asp.contact(one, **STEEL),
+                            points={"x [um]": [0, 1], "y [um]": [0, 0], "depth [um]": [5, 5]})
+        self.assertEqual(list(points.x), [0, 1e-6])
+        kernel = asp.kernel(shape=(32, 32), size="1mm", length="60um", rq="1um")
+        drawn = asp.generate(kernel=kernel, shape=(32, 32), size="1mm", seed=3)
+        self.assertEqual(dict(drawn.sizes)["x"], 32)
+        sweep = asp.contact(smooth=True, shape=(32, 32), size="1mm", radius=(0.01, numpy.inf), young="208GPa",
+                            poisson=0.3, sweep=numpy.array([10., 20, 40]))
+        self.assertEqual(list(sweep.load.round(9)), [10, 20, 40])
+        self.assertEqual(asp.plot(sweep, kind="sweep").media, "image/png")
+
+
+class Words(support.TestCase):
+    tools_may_warn = True
+
+    def test_a_wrong_option_is_refused_by_its_name(self):
+        self.assertRaisesRegex(TypeError, "did you mean 'radius'", asp.contact, raduis="1m")
+        self.assertRaisesRegex(TypeError, "^length=True: the option needs", asp.generate, length=True)
+        self.assertRaisesRegex(TypeError, "^periodic=1: the option stands alone", asp.generate, periodic=1)
+        self.assertRaisesRegex(TypeError, "^report=.*the name of a file", asp.generate, report=surface())
+        self.assertRaisesRegex(TypeError, "^counter=3: the name of a file, a Dataset", asp.contact, counter=3)
+        self.assertRaisesRegex(asp.UsageError, "^asperity-contact: --young is required$", asp.contact, surface())
+        self.assertRaisesRegex(asp.UsageError, "--rq: 'nanm'", asp.generate, **{**SURFACE, "rq": numpy.nan})
+        self.assertRaisesRegex(AttributeError, "asperity-nonsense is not on PATH", lambda: asp.nonsense)
+
+    def test_a_stage_says_that_it_has_not_run(self):
+        stage = asp.contact(**STEEL)
+        self.assertEqual(repr(stage), f"<stage: asperity-contact {support.STEEL_WORDS}>")
+        self.assertRaisesRegex(AttributeError, "it has not run", lambda: stage.pressure)
+        self.assertTrue(stage(surface()).equals(asp.contact(surface(), **STEEL).assign_attrs(stage(surface()).attrs)))
+        for stages in ((), (surface(),), (surface(), surface()), (stage,), (stage, stage)):
+            self.assertRaises(TypeError, asp.pipe, *stages)
+
+    def test_lists_repeat_an_option_and_steps_keep_their_order(self):
+        history = asp.filter(surface(), median=["3px", "5px"], remove_form="plane", scale=-1).history
+        self.assertIn("asperity-filter --median 3px --median 5px --remove-form plane --scale=-1\n", history)
+
+    # The truth of an array was asked for.
+    def test_a_stage_may_have_an_array_among_its_options(self):
+        stage = asp.stress(depths=numpy.array([0, 5e-6]))
+        self.assertEqual(list(stage(asp.contact(surface(), **STEEL)).z.values), [0, 5e-6])
+
+    def test_numbers_with_units_of_their_own_keep_them(self):
+        class Quantity:  # as pint's
+            magnitude = 3.0
+
+            def to(self, unit):
+                assert unit == "m"
+                out = Quantity()
+                out.magnitude = 3e-3
+                return out
+        spread = xarray.DataArray(0.4, attrs={"units": "um"})
+        history = asp.generate(**{**SURFACE, "size": Quantity(), "rq": spread, "length": "150um"}).history
+        self.assertIn("--size 0.003m --rq 0.4um", history)
+
+
+if __name__ == "__main__":
+    support.main()

@@ -1,0 +1,176 @@
+"""The functions: one for each tool, and those that put tools together."""
+import os
+
+from . import _data, _options
+from ._run import Run
+from .errors import ToolError
+
+
+class Stage:
+    """A tool with its options that waits for a dataset: a part of a pipe, or to be called with one.
+
+    >>> press = asperity.contact(radius="50mm", young="208GPa", poisson=0.3, load="5kN")
+    >>> pressed = press(surface)
+    """
+
+    def __init__(self, name, options, given=()):
+        about = _options.table(name)
+        self.name, self.tool, self.path = name, about["tool"], _options.program(name)
+        self.options, self.surfaces = dict(options), _data.inputs(given)
+        self.words = _options.words(about, options)
+        self.prints_steps = bool(options.get("verbose") or options.get("time"))
+        self.prints_tables = any(o["name"] == "json" for o in about["options"])
+        if given and not self.surfaces:
+            raise TypeError(f"{self.tool}: the list of datasets is empty")
+        if self.surfaces and not about["inputs"]:
+            raise TypeError(f"{self.tool} takes no dataset; a kernel is given by kernel=")
+        if len(self.surfaces) > 1 and not about["inputs"][0]["repeated"]:
+            raise TypeError(f"{self.tool} takes one dataset, not {len(self.surfaces)}")
+
+    def __call__(self, *datasets):
+        return run_pipe([Stage(self.name, self.options, datasets)])
+
+    def __repr__(self):
+        return f"<stage: {' '.join([self.tool, *map(str, self.words)])}>"
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        raise AttributeError(f"a stage has no {name!r}: it has not run. Call it with a dataset, or give it to "
+                             "asperity.pipe")
+
+    @property
+    def waits(self):
+        """Whether it needs a dataset and has none: it reads one, and no option says that there is none."""
+        about = _options.table(self.name)
+        own = about["parameters"]
+        alone = any(value is True and "INPUT" in own[name]["excludes"] for name, value in self.options.items())
+        return bool(about["inputs"]) and not self.surfaces and not alone
+
+    def again(self, **options):
+        """The same with other options."""
+        out = Stage(self.name, {**self.options, **options})
+        out.surfaces = self.surfaces
+        return out
+
+
+def in_a_pipe(stages):
+    """The stages with their datasets as words, and what feeds the first of them."""
+    first, *others = stages
+    given = first.surfaces
+    alone = len(given) == 1 and not _data.is_name(given[0][1])
+    words = [] if alone else [_word(name, value) for name, value in given]
+    fields = {_data.field_of(value) for _, value in given} - {None, "heights"}
+    has_variable = "variable" in _options.table(first.name)["parameters"]
+    if len(fields) == 1 and has_variable and not first.options.get("variable"):
+        words = ["--variable", *fields, *words]
+    out = first.again()
+    out.words += words
+    return [out, *others], _data.source(given[0][1], given[0][0]) if alone else None
+
+
+def _word(name, value):
+    if not _data.is_name(value):
+        return _data.source(value, name)
+    path = os.fspath(value)
+    return "./" + path if path.startswith("-") and path != "-" else path
+
+
+def run_pipe(stages, feed=None):
+    stages, own = in_a_pipe(stages)
+    return Run(stages, feed or own).execute().deliver()
+
+
+def function(name, waits=False):
+    """The function of a tool; `waits`: one that returns a stage in any case."""
+    module = "asperity.stage" if waits else "asperity"
+    tool = name.rstrip("_").replace("_", "-")
+    if name.startswith("_"):
+        raise AttributeError(f"module {module!r} has no attribute {name!r}")
+    try:
+        about = _options.table(tool)
+    except ToolError as error:
+        raise AttributeError(f"module {module!r} has no function {name!r}: {error}") from None
+
+    def call(*datasets, **options):
+        if "dataset" in options and not datasets:
+            datasets = (options.pop("dataset"),)
+        out = Stage(tool, options, [one for one in datasets if one is not None])
+        return out if waits or out.waits else run_pipe([out])
+    call.__name__ = call.__qualname__ = name
+    call.__module__, call.__doc__ = module, _options.docstring(about)
+    call.__signature__ = _options.signature(about)
+    return call
+
+
+class _Stages:
+    """The tools as stages, those too that need no dataset: asperity.stage.generate(...)."""
+
+    def __getattr__(self, name):
+        return function(name, waits=True)
+
+    def __dir__(self):
+        return [_options.python_name(name) for name in _options.names()]
+
+
+stage = _Stages()
+
+
+def pipe(*stages):
+    """Runs stages as one pipe of processes, where each reads what the one before it writes. Returns what the last
+    one writes.
+
+    >>> asperity.pipe(surface, asperity.contact(...), asperity.stress(maximum=True))
+    >>> asperity.pipe(asperity.stage.generate(...), asperity.contact(...), asperity.stress(maximum=True))
+
+    A tool that is called without its dataset is a stage. In front may also be a dataset, or the name of a file.
+
+    asperity.generate(...) needs no dataset and therefore runs when it is called: as the first argument it has drawn
+    its surface before the pipe begins, and the pipe is fed with it. asperity.stage.generate(...) leaves the drawing
+    to the pipe, and nothing is read in between; the numbers are the same. A result that is computed only when it is
+    used would spare this word. But a process can be read only once, and a surface is used more often than that.
+    """
+    if not stages or len(stages) == 1 and not isinstance(stages[0], Stage):
+        raise TypeError("a pipe needs stages: asperity.pipe(surface, asperity.contact(...))")
+    first, *others = stages
+    for later in others:
+        if not isinstance(later, Stage) or later.surfaces:
+            raise TypeError(f"{_data.brief(later)} is no stage: later arguments are tools without a dataset")
+    if not isinstance(first, Stage):
+        first, *others = Stage(others[0].name, others[0].options, [first]), *others[1:]
+    if first.waits:
+        raise TypeError(f"{first.tool} has no dataset: give one in front of it, or a stage that makes one")
+    return run_pipe([first, *others])
+
+
+def dataset(heights, size=None, unit="m", periodic=False):
+    """A surface of an array of heights, as a Dataset for any tool; asperity-convert makes it.
+
+    heights     two-dimensional, x first; masked points and NaN are missing. Of a DataArray, dimensions x and y are
+                put in this order, and its coordinates and units are used
+    size        side lengths: "3mm", "3mm,2mm", (3e-3, 2e-3) in metres. Of n points the length is n spacings
+    unit        of the heights: "um"
+    periodic    whether the surface continues at its opposite edge: True, "x" or "y"
+    """
+    from . import _arrays
+    return _arrays.dataset(heights, size, unit, periodic)
+
+
+def ensemble(*stages, count, first=0, seed=None, processes=None, **options):
+    """Yields the results for `count` surfaces, in order and as they come.
+
+    >>> for surface in asperity.ensemble(shape=(256, 256), size="1mm", rq="0.4um", length="20um", count=100): ...
+    >>> for pressed in asperity.ensemble(asperity.stage.generate(...), asperity.contact(...), count=100): ...
+
+    options     those of asperity.generate, in place of stages
+    first       number of the first surface; surface k of a seed is the same in every ensemble
+    seed        of all; without it a random one
+    processes   pipes that run at a time; by default as many as there are processors. Each tool then has one thread,
+                unless its option threads says otherwise. The numbers do not depend on it
+
+    A kernel that takes long is solved once: kernel=asperity.kernel(...).
+    """
+    from . import _ensemble
+    if stages and options:
+        raise TypeError(f"{', '.join(options)}: beside stages, options belong to the first of them")
+    return _ensemble.members(stages or (stage.generate(**options),), count, first, seed, processes)

@@ -1,0 +1,90 @@
+"""What may stand where a tool reads a file: a name, a dataset, a field of one, a table, bytes.
+
+An object can only be of a library that is in use: none is imported here to find out.
+"""
+import collections.abc
+import os
+import sys
+
+
+class Source:
+    """Data that a tool reads as a file: `pieces()` are its bytes, `name` is what messages call it."""
+
+    def __init__(self, name, pieces):
+        self.name, self.pieces = name, pieces
+
+    def __repr__(self):
+        return f"<{self.name}>"
+
+
+def _is(value, library, *types):
+    module = sys.modules.get(library)
+    return module is not None and isinstance(value, tuple(getattr(module, name) for name in types))
+
+
+def is_truth(value):
+    return isinstance(value, bool) or _is(value, "numpy", "bool_")
+
+
+def is_name(value):
+    return isinstance(value, (str, os.PathLike))
+
+
+def brief(value):
+    """A value in a message, on one line."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else f"<{type(value).__name__}>"
+
+
+def field_of(value):
+    """The name of the field that a DataArray is, else None."""
+    return value.name or "heights" if _is(value, "xarray", "DataArray") else None
+
+
+def source(value, name):
+    """Of anything but the name of a file."""
+    if _is(value, "xarray", "DataArray"):
+        value = value.to_dataset(name=value.name or "heights")
+    if _is(value, "xarray", "Dataset"):
+        return Source(name, lambda: _encoded(value))
+    if isinstance(value, (bytes, bytearray, memoryview)):
+        return Source(name, lambda: [value])
+    if _is(value, "pandas", "DataFrame") or isinstance(value, collections.abc.Mapping):
+        return Source(name, lambda: [_text_of_columns(value)])
+    if _is(value, "numpy", "ndarray") and value.ndim == 2:
+        return Source(name, lambda: [_text_of_rows(value, "")])
+    raise TypeError(f"{name}={brief(value)}: the name of a file, a Dataset, a DataArray, a table or bytes are needed")
+
+
+def _encoded(dataset):
+    from . import _encode  # and numpy, which costs a tenth of a second
+    return _encode.encoded(dataset)
+
+
+def _text_of_columns(columns):
+    """A table as the tools print it, of a DataFrame, or of a dictionary {'x [um]': [0, 1], …}."""
+    if _is(columns, "pandas", "DataFrame"):
+        units = columns.attrs.get("units", {})
+        flat = columns.reset_index() if columns.index.name else columns
+        columns = {f"{n} [{units[n]}]" if units.get(n) else str(n): flat[n] for n in flat.columns}
+    return _text_of_rows(zip(*map(list, columns.values())), "# " + "\t".join(columns) + "\n")
+
+
+def _text_of_rows(rows, head):
+    cells = (["\t".join(v if isinstance(v, str) else repr(float(v)) for v in row)] for row in rows)
+    return (head + "".join(f"{line}\n" for line, in cells)).encode()
+
+
+def inputs(given):
+    """The surfaces of a call, with a name for each: lists and dictionaries of them are taken apart."""
+    out = []
+    for at, value in enumerate(given):
+        if _is(value, "numpy", "ndarray"):
+            raise TypeError("an array has no size: asperity.dataset(heights, size='3mm') makes a surface of it")
+        if isinstance(value, collections.abc.Mapping) and not _is(value, "xarray", "Dataset"):
+            out += [(str(key), one) for key, one in value.items()]
+        elif isinstance(value, (list, tuple, collections.abc.Iterator)):
+            out += [(f"datasets[{k}]", one) for k, one in enumerate(value)]
+        else:
+            out.append((f"datasets[{at}]" if len(given) > 1 else "dataset", value))
+    return out

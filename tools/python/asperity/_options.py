@@ -1,0 +1,172 @@
+"""The options of a tool, from the table that it prints (--describe): parameters of a function, and words of a
+command line."""
+import difflib
+import functools
+import inspect
+import json
+import keyword
+import numbers
+import os
+import shutil
+import subprocess
+
+from . import _data
+from .errors import ToolError
+
+PREFIX = "asperity-"
+NO_PARAMETERS = ("quiet", "json")  # notes are logged, and tables are read
+
+
+def program(name):
+    """The path of a tool, as a shell would find it."""
+    tool = PREFIX + name
+    if found := shutil.which(tool):
+        return found
+    raise ToolError(f"{tool} is not on PATH: install the package asperity, or add the folder of the tools", tool, 127)
+
+
+def names():
+    """All tools beside the program asperity, without their prefix."""
+    listed = shutil.which("asperity")
+    folder = os.path.dirname(listed) if listed else None
+    found = sorted(f for f in os.listdir(folder) if f.startswith(PREFIX)) if folder else []
+    return [name.removeprefix(PREFIX) for name in found if os.access(os.path.join(folder, name), os.X_OK)]
+
+
+def table(name):
+    """What the tool tells of itself, read once for each state of the program."""
+    path = program(name)
+    state = os.stat(path)
+    return _table(path, state.st_mtime_ns, state.st_size, state.st_ino)
+
+
+@functools.lru_cache(maxsize=None)
+def _table(path, *_state):
+    environment = {k: v for k, v in os.environ.items() if not k.startswith("ASPERITY_")}
+    run = subprocess.run([path, "--describe"], stdin=subprocess.DEVNULL, capture_output=True, env=environment)
+    if run.returncode != 0:
+        line = run.stderr.decode(errors="replace").strip() or f"{path}: ended with {run.returncode}"
+        raise ToolError(f"{line}: this module needs tools of its own version", os.path.basename(path), run.returncode)
+    out = json.loads(run.stdout)
+    own = [o for o in out["options"] if not o["prints"]]
+    out["inputs"] = [o for o in own if not o["names"]]
+    out["parameters"] = {python_name(o["name"]): o for o in own if o["names"] and o["name"] not in NO_PARAMETERS}
+    return out
+
+
+def python_name(option):
+    word = option.replace("-", "_")
+    return word + "_" if keyword.iskeyword(word) else word
+
+
+# ---- what a person sees ----
+
+
+def signature(about):
+    """(*datasets, ...) of a tool that takes several, (dataset=None, *, ...) of one that takes one."""
+    kind = inspect.Parameter
+    first = []
+    if about["inputs"]:
+        several = about["inputs"][0]["repeated"]
+        first = [kind("datasets", kind.VAR_POSITIONAL) if several else
+                 kind("dataset", kind.POSITIONAL_OR_KEYWORD, default=None)]
+    return inspect.Signature([*first, *(kind(name, kind.KEYWORD_ONLY, default=None) for name in about["parameters"])])
+
+
+def docstring(about):
+    summary, description = about["summary"], about["description"].rstrip(".")
+    out = [f"{summary[:1].upper()}{summary[1:]}.", "", f"{description}.", ""]
+    for option in about["inputs"]:
+        out += ["datasets" if option["repeated"] else "dataset", f"    {option['text']}. Here a Dataset, a DataArray, "
+                "bytes, or the name of a file; without any the call is a stage, for asperity.pipe", ""]
+    heading = None
+    for name, option in about["parameters"].items():
+        if option["heading"] != heading:
+            heading = option["heading"]
+            out += [heading, "-" * len(heading)]
+        out += [f"{name} : {_kind_in_words(option)}", f"    {option['text']}"]
+    out += ["", "In a shell", "----------", about["example"], "", about["accuracy"], "",
+            "Exit status: " + ", ".join(f"{s['status']} {s['meaning']}" for s in about["statuses"])]
+    return "\n".join(out)
+
+
+def _kind_in_words(option):
+    if option["value"] == "flag":
+        return "bool"
+    kind = " | ".join(option["words"]) or option["kind"]
+    number = f", a number is in {option['unit']}" if option["unit"] not in ("", "1") else ""
+    return kind + number + (", a list repeats it" if option["repeated"] else "")
+
+
+def _unknown(about, name):
+    near = difflib.get_close_matches(name, about["parameters"], 1)
+    hint = f": did you mean {near[0]!r}?" if near else ""
+    return TypeError(f"{about['tool']} has no option {name!r}{hint}")
+
+
+# ---- words of the command line ----
+
+
+def words(about, options):
+    """The arguments; a source of data stands for the file that it will be."""
+    out, own = [], about["parameters"]
+    for name, value in options.items():
+        if name not in own:
+            raise _unknown(about, name)
+        if value is not None and name != "progress":  # which is shown by this module
+            out += _words_of(own[name], name, value)
+    if own.get("output", {}).get("required") and options.get("output") is None:
+        out += ["--output", "-"]
+        if "to" in own and options.get("to") is None:
+            out += ["--to", own["to"]["words"][0]]  # of a picture: PNG
+    return out
+
+
+def _words_of(option, name, value):
+    flag = "--" + option["name"]
+    if option["value"] == "flag":
+        if not _data.is_truth(value):
+            raise TypeError(f"{name}={_data.brief(value)}: the option stands alone, True or False")
+        return [flag] if value else []
+    out = []
+    for one in value if option["repeated"] and isinstance(value, list) else [value]:
+        word = _file(option, name, one) if option["value"] == "file" else _text(option, name, one)
+        joined = isinstance(word, str) and word != "-" and (word.startswith("-") or not word)
+        out += [f"{flag}={word}"] if joined else [flag, word]
+    return out
+
+
+def _file(option, name, value):
+    if _data.is_name(value):
+        return os.fspath(value)
+    if option["kind"] not in ("FILE", "NAME|FILE") or option["name"] == "output":
+        raise TypeError(f"{name}={_data.brief(value)}: the name of a file is needed")
+    return _data.source(value, name)
+
+
+def _text(option, name, value):
+    if _data.is_name(value):
+        return os.fspath(value)
+    value, unit = _in_unit(option, value)
+    if getattr(value, "ndim", None) == 0 and hasattr(value, "item"):
+        value = value.item()
+    if isinstance(value, numbers.Real) and not _data.is_truth(value):
+        return _number(option, value, unit)
+    if isinstance(value, (list, tuple)) or getattr(value, "ndim", None) == 1:
+        return ("x" if option["kind"] == "AxB" else ",").join(_text(option, name, v) for v in value)
+    raise TypeError(f"{name}={_data.brief(value)}: the option needs {option['kind']}, as text or numbers")
+
+
+def _in_unit(option, value):
+    """The number and its unit: of pint in SI, of a DataArray in its own if it has one, of others in SI."""
+    unit = "" if option["unit"] == "1" else option["unit"]
+    if hasattr(value, "magnitude") and hasattr(value, "to"):
+        return value.to(unit or "dimensionless").magnitude, unit
+    return value, unit and getattr(value, "attrs", {}).get("units", unit)
+
+
+def _number(option, value, unit):
+    if isinstance(value, numbers.Integral) or option["kind"] in ("N", "AxB") and float(value).is_integer():
+        return str(int(value)) + unit
+    text = repr(float(value))
+    return text if text.lstrip("-") == "inf" else text + unit
