@@ -13,6 +13,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/quantity.hpp"
 #include "tools/cli/table.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/measure/acf_result.hpp"
 #include "tools/measure/field_options.hpp"
 
@@ -160,12 +161,15 @@ class Surfaces {
     tool_.detail(member.name);
     const Surface surface = field_.read(tool_, member.data);
     grids_.add(tool_, surface.grid, member.name, surface.units);
-    if (!ensemble_) ensemble_.emplace(content(surface, what_));
-    grid_ = surface.grid;
-    const cli::AcfResult result = measured(tool_, what_, surface, member.data);
-    if (what_.result.result == "profiles") return ensemble_->add_profiles(result, member.name);
-    ensemble_->add_lengths(lengths_of(result, what_));
-    if (what_.result.dataset()) ensemble_->add_function(result);
+    cli::AcfResult result = measured(tool_, what_, surface, member.data);
+    Parameters found;
+    if (what_.result.result != "profiles") found = lengths_of(result, what_);
+    cli::in_turn([this, result = std::move(result), found = std::move(found), grid = surface.grid,
+                  own = content(surface, what_), name = member.name] {
+      if (!ensemble_) ensemble_.emplace(own);
+      grid_ = grid;
+      add(result, found, name);
+    });
   }
   void finish() const {
     if (!ensemble_) return;
@@ -177,6 +181,11 @@ class Surfaces {
   }
 
  private:
+  void add(const cli::AcfResult& result, const Parameters& lengths, const std::string& name) {
+    if (what_.result.result == "profiles") return ensemble_->add_profiles(result, name);
+    ensemble_->add_lengths(lengths);
+    if (what_.result.dataset()) ensemble_->add_function(result);
+  }
   // Of the lengths that all surfaces have.
   Parameters mean_lengths() const {
     Parameters out;

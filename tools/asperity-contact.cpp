@@ -8,6 +8,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/contact/accuracy.hpp"
 #include "tools/contact/resolution.hpp"
 #include "tools/contact/several.hpp"
@@ -95,12 +96,12 @@ class Sweeps {
     int number = 0;
     solve_load_sequence(scene.grid, scene.gap, influence, options_.contact, options_.loads,
                         [&](const Contact& c) {
-                          counter_.next();
+                          cli::in_turn([this] { counter_.next(); });
                           const cli::GridFigures figures = cli::grid_figures(options_, scene, influence, c);
                           cli::add_load(out, scene, options_, c, figures);
                           const std::string load = of + cli::format_quantity(c.load, "N");
-                          in_doubt_.add(tool_, doubts(scene.grid, options_.bodies, c), load);
-                          in_doubt_.add(tool_, cli::doubts(figures), load);
+                          doubt(doubts(scene.grid, options_.bodies, c), load);
+                          doubt(cli::doubts(figures), load);
                           code = std::max(code, cli::told_exit(tool_, options_, c, load + ": "));
                           if (!options_.each.empty()) write(scene, c, figures, ++number);
                         });
@@ -109,6 +110,9 @@ class Sweeps {
   void tell() const { in_doubt_.tell(tool_); }
 
  private:
+  void doubt(const std::vector<Doubt>& doubts, const std::string& load) {
+    cli::in_turn([this, doubts, load] { in_doubt_.add(tool_, doubts, load); });
+  }
   void write(const cli::ContactScene& scene, const Contact& contact, const cli::GridFigures& figures,
              int number) {
     cli::ContactScene one = scene;

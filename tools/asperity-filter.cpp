@@ -8,6 +8,7 @@
 #include "tools/cli/large_file.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/filter/chain.hpp"
 #include "tools/filter/in_strips.hpp"
 #include "tools/measure/preparation_words.hpp"
@@ -68,24 +69,23 @@ class Filter {
   bool in_strips() const { return tool_.given("--memory") || chain_.needs_whole_map().empty(); }
   // Before the work: no output is one of the inputs.
   void claim(const cli::EnsembleInput& surfaces, std::size_t of) {
-    for (std::size_t k = 1; k <= of; ++k) tool_.writes("output", output(static_cast<int>(k), of));
+    for (std::size_t k = 1; k <= of; ++k) tool_.writes("output", output(k, of));
     for (const std::string& file : surfaces.files) tool_.reads(file);
   }
-  std::string output(int number, std::size_t of) const {
+  std::string output(std::size_t number, std::size_t of) const {
     const std::string name = tool_.output_name();
-    return of > 1 || cli::has_place_for_number(name) ? cli::numbered("output", name, number) : name;
+    const bool several = of > 1 || cli::has_place_for_number(name);
+    return several ? cli::numbered("output", name, static_cast<std::int64_t>(number)) : name;
   }
   void fail(const std::string& why, int code) {
     tool_.warn(why);
-    code_ = std::max(code_, code);
-    ++number_;
+    cli::in_turn([this, code] { code_ = std::max(code_, code); });
   }
   // Of several maps, one that fails does not keep the others.
   void visit(cli::EnsembleMember&& member) {
     if (!member.alone()) tool_.detail(member.name);
     try {
-      write(member.data, output(number_, member.of));
-      ++number_;
+      write(member.data, output(member.number, member.of));
     } catch (const DataError& error) {
       if (member.alone()) throw;
       fail(tool_.in_file(error), cli::bad_data);
@@ -101,15 +101,14 @@ class Filter {
     const double filled = surface.filled;
     if (!is_map_of(data, surface)) replace(tool_, data, std::move(surface));
     cli::set_preparation(data, degree, filled);
-    tool_.remember(std::move(lines));
-    tool_.write(data, name);
-    if (!converged) code_ = std::max<int>(code_, cli::not_converged);
+    tool_.write(data, name, lines);
+    if (!converged) cli::in_turn([this] { code_ = std::max<int>(code_, cli::not_converged); });
   }
 
   cli::Tool& tool_;
   const std::string& variable_;
   const cli::Chain chain_;
-  int number_ = 1, code_ = cli::done;
+  int code_ = cli::done;
 };
 
 }  // namespace

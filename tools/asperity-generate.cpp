@@ -1,8 +1,11 @@
 /// Draws random rough surfaces with a prescribed autocorrelation.
+#include <algorithm>
 #include <utility>
 
 #include "dataset/unread.hpp"
+#include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/surface/drawing.hpp"
 #include "tools/surface/surface_kernel.hpp"
 
@@ -10,12 +13,20 @@ using namespace asperity;
 
 namespace {
 
-// Memory of the tables of the kernel while surfaces are drawn: once, and once more for each of several
-//        datasets.
-std::size_t standing(const Dataset& base, int surfaces) {
+// Memory of the tables of the kernel while surfaces are drawn: once, and once more for each dataset.
+std::size_t standing(const Dataset& base, int copies) {
   std::size_t values = 0;
   for (const Variable& v : base.variables) values += count(v);
-  return (surfaces > 1 ? 2 : 1) * values * sizeof(double);
+  return static_cast<std::size_t>(1 + copies) * values * sizeof(double);
+}
+
+// How many surfaces are drawn at once, by the noise that each needs.
+int drawn_at_once(const cli::Tool& tool, const cli::GenerateOptions& o, const Field& kernel) {
+  if (o.count == 1) return 1;
+  for (int k = 0; k < o.count; ++k)
+    if (cli::place_of(o.output_name(tool, k)).kind != cli::Place::Kind::file) return 1;
+  const Shape noise = o.periodic ? o.shape : Shape{o.shape.nx + kernel.rows(), o.shape.ny + kernel.cols()};
+  return std::min(o.count, cli::datasets_at_once(tool, noise));
 }
 
 void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel kernel,
@@ -23,17 +34,28 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
   const double rms = kernel.tables.rms();
   Field values = std::move(kernel.tables.kernel);
   kernel.tables = {};  // their memory is for the surface
-  const Synthesis synthesis =
-      o.synthesis(tool, std::move(values), distribution.heights, standing(kernel.data, o.count));
+  const int at_once = drawn_at_once(tool, o, values);
+  const Synthesis synthesis = o.synthesis(tool, std::move(values), distribution.heights,
+                                          standing(kernel.data, o.count > 1 ? at_once : 0), at_once);
   cli::Progress progress(tool);
+  cli::Turns turns(at_once);
   for (int k = 0; k < o.count; ++k) {
     const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(o.number(k)), tool.stream_value(),
                            distribution.noise);
-    auto advanced = [&](double share) { progress.count(k + share, o.count, o.count > 1 ? "surfaces" : ""); };
-    const cli::Drawing drawing{synthesis, noise, rms, o.exact_rq, o.adds("noise"), tool.memory(), advanced};
-    const bool last = k + 1 == o.count;
-    drawing.write(tool, last ? std::exchange(kernel.data, {}) : kernel.data, o.output_name(tool, k));
+    turns.add([&, k, noise] {
+      auto advanced = [&progress, &o, k](double share) {
+        cli::in_turn(
+            [&progress, &o, k, share] { progress.count(k + share, o.count, o.count > 1 ? "surfaces" : ""); });
+      };
+      const cli::Drawing drawing{
+          synthesis,          noise,           rms,
+          o.exact_rq,         o.adds("noise"), tool.memory() / static_cast<std::size_t>(at_once),
+          std::move(advanced)};
+      const bool last = at_once == 1 && k + 1 == o.count;
+      drawing.write(tool, last ? std::exchange(kernel.data, {}) : kernel.data, o.output_name(tool, k));
+    });
   }
+  turns.finish();
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/table.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/measure/height_tables.hpp"
 
@@ -57,15 +58,18 @@ struct Values {
   HeightRange range = {INFINITY, -INFINITY};
   double points = 0, squares = 0;  // the sum of N Sq²
 
-  void add(const Counted& counted) {
+  static Values of(const Counted& counted) {
     const auto* part = std::get_if<cli::CountedCells>(&counted);
     const Field& field = part ? part->values : std::get<Surface>(counted).heights;
     const HeightRange own = height_range(field);
-    range = {part ? 0 : std::min(range.lowest, own.lowest), std::max(range.highest, own.highest)};
     const double n = static_cast<double>((!field.isNaN()).count()),
                  mean = field.isNaN().select(0, field).sum() / n;
-    points += n;
-    squares += field.isNaN().select(0, field - mean).square().sum();
+    return {{part ? 0 : own.lowest, own.highest}, n, field.isNaN().select(0, field - mean).square().sum()};
+  }
+  void add(const Values& more) {
+    range = {std::min(range.lowest, more.range.lowest), std::max(range.highest, more.range.highest)};
+    points += more.points;
+    squares += more.squares;
   }
   double sq() const { return std::sqrt(squares / points); }
   Moments moments() const { return {.sq = sq(), .sp = range.width()}; }
@@ -111,17 +115,21 @@ class Distribution {
       : tool_(tool), field_(field), what_(what) {}
 
   bool needs_range() const { return what_.estimate != "quantiles"; }
-  void add_range(const Dataset& data) { values_.add(read(data)); }
+  void add_range(const Dataset& data) {
+    cli::in_turn([this, own = Values::of(read(data))] { values_.add(own); });
+  }
 
   cli::Table table(const Dataset& data) {
     const Counted counted = read(data);
-    if (needs_range()) values_.add(counted);
+    if (needs_range()) values_.add(Values::of(counted));
     return std::visit([&](const auto& of) { return table_of(of); }, counted);
   }
   void add(const cli::EnsembleMember& member) {
-    const cli::Table one = std::visit([&](const auto& of) { return table_of(of); }, read(member.data));
-    if (!mean_) mean_.emplace(content_of(one));
-    mean_->add(one, member.name);
+    cli::in_turn([this, name = member.name,
+                  one = std::visit([&](const auto& of) { return table_of(of); }, read(member.data))] {
+      if (!mean_) mean_.emplace(content_of(one));
+      mean_->add(one, name);
+    });
   }
   cli::Table mean() const { return mean_->table(); }
 

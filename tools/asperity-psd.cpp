@@ -13,6 +13,7 @@
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/table.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/measure/field_options.hpp"
 
 using namespace asperity;
@@ -130,16 +131,19 @@ class Surfaces {
     tool_.detail(member.name);
     Surface surface = field_.read(tool_, member.data);
     grids_.add(tool_, surface.grid, member.name, surface.units);
-    ++surfaces_;
     Field heights = std::move(surface.heights);
-    last_ = surface;
+    cli::in_turn([this, surface] {
+      ++surfaces_;
+      last_ = surface;
+    });
     surface.heights = std::move(heights);
     if (what_.result.dataset())
-      psd_.add(
-          power_spectrum(surface.heights, surface.grid, what_.windows(surface.grid), tool_.thread_count())
-              .half_plane());
+      cli::in_turn([this, psd = power_spectrum(surface.heights, surface.grid, what_.windows(surface.grid),
+                                               tool_.thread_count())] { psd_.add(psd.half_plane()); });
     else
-      table_.add(table(tool_, what_, std::move(surface)), member.name);
+      cli::in_turn([this, rows = table(tool_, what_, std::move(surface)), name = member.name] {
+        table_.add(rows, name);
+      });
   }
   void finish() const {
     if (surfaces_ == 0) return;

@@ -12,6 +12,7 @@
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/large_file.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/measure/stats_options.hpp"
 #include "tools/measure/twin_rows.hpp"
 
@@ -36,24 +37,22 @@ class Surfaces {
       : tool_(tool), field_(options.field), errors_(options.errors), asked_(options.checked(tool)) {}
 
   void add(const Dataset& data, const std::string& name, bool alone) {
-    alone_ = alone;
     tool_.detail(name);
     if (const auto part = cli::counted_cells(data, field_.variable)) tool_.note(part->told_of_all());
     grids_.add(tool_, grid_of(data), name, si_unit_of(data.at(field_.variable)));
-    add(Sample(field_.read(tool_, data), asked_.groups.contains(Group::hybrid), tool_.thread_count()));
+    add(Sample(field_.read(tool_, data), asked_.groups.contains(Group::hybrid), tool_.thread_count()), alone);
   }
-  /// Reads a file that is too large for memory in strips; false if it is not.
-  bool add_in_strips(const std::string& path) {
-    const std::string whole = needs_whole_field(asked_, errors_);
-    if ((!tool_.given("--memory") && !whole.empty()) || !cli::larger_than_memory(path, tool_.memory()))
-      return false;
-    if (!whole.empty()) cli::refuse_strips(path, whole);
+  /// Whether a file is too large for memory, and read in strips.
+  bool in_strips(const std::string& path) const {
+    return (tool_.given("--memory") || whole_.empty()) && cli::larger_than_memory(path, tool_.memory());
+  }
+  void add_in_strips(const std::string& path) {
+    if (!whole_.empty()) cli::refuse_strips(path, whole_);
     const FieldFile file(path, field_.variable, tool_.memory_bound());
     Dataset head = file.dataset();
     grids_.add(tool_, file.grid(), path, si_unit_of(head.at(field_.variable)));
     tool_.settle(head, path);
-    add(strips_of(file));
-    return true;
+    add(strips_of(file), true);
   }
   void print() const {
     for (const std::string& group : missing_) tool_.warn(group);
@@ -77,40 +76,43 @@ class Surfaces {
     return sample;
   }
 
-  void add(const Sample& sample) {
-    if (!fewest_ || sample.size().effective(2) < fewest_->effective(2)) fewest_ = sample.size();
-    last_.clear();
+  void add(const Sample& sample, bool alone) {
+    Parameters all;
     for (const Group group : asked_.groups) {
       const Parameters rows = measure(sample, group, asked_);
       if (const std::string why = missing(rows); group == Group::hybrid && !why.empty()) {
         // The other groups are still printed.
         if (asked_.groups.size() == 1) throw DataError(field_.variable, why);
-        missing_.insert(field_.variable + ": no hybrid parameters: " + why);
+        cli::in_turn([this, why] { missing_.insert(field_.variable + ": no hybrid parameters: " + why); });
       }
       if (group == Group::spatial) warn_of_decays(tool_, rows, asked_.sal_level, sample.grid());
-      last_.insert(last_.end(), rows.begin(), rows.end());
+      all.insert(all.end(), rows.begin(), rows.end());
     }
-    settle_errors(sample);
-    ensemble_.add(last_);
+    settle_errors(sample, alone, all);
+    cli::in_turn([this, size = sample.size(), all = std::move(all)] {
+      if (!fewest_ || size.effective(2) < fewest_->effective(2)) fewest_ = size;
+      ensemble_.add(all);
+      last_ = all;
+    });
   }
 
   // As asked for by --errors.
-  void settle_errors(const Sample& sample) {
+  void settle_errors(const Sample& sample, bool alone, Parameters& all) const {
     if (errors_ == "none")
-      for (Parameter& p : last_) {
+      for (Parameter& p : all) {
         p.standard_error = NAN, p.interval.reset();
         if (std::isfinite(p.value)) p.why.clear();  // else why there is no value
       }
     const bool asked = errors_ == "twins";
-    if (asked || (errors_ == "auto" && alone_ && sample.whole()))
-      cli::errors_by_twins(tool_, sample, asked_, asked ? TwinUse::everywhere : TwinUse::where_quick, last_);
+    if (asked || (errors_ == "auto" && alone && sample.whole()))
+      cli::errors_by_twins(tool_, sample, asked_, asked ? TwinUse::everywhere : TwinUse::where_quick, all);
   }
 
   const cli::Tool& tool_;
   const cli::FieldOptions& field_;
-  bool alone_ = true;
   const std::string errors_;
   const MeasureOptions asked_;
+  const std::string whole_ = needs_whole_field(asked_, errors_);
   cli::EnsembleGrid grids_;
   EnsembleParameters ensemble_;
   Parameters last_;
@@ -166,7 +168,8 @@ int main(int argc, char** argv) {
     surfaces.for_each(
         tool,
         [&](const cli::EnsembleMember& member) { measured.add(member.data, member.name, member.alone()); },
-        [&](const std::string& path) { return measured.add_in_strips(path); });
+        cli::EnsembleInput::Apart{[&](const std::string& path) { return measured.in_strips(path); },
+                                  [&](const std::string& path) { measured.add_in_strips(path); }});
     measured.print();
     return cli::done;
   });

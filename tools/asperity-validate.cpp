@@ -12,6 +12,7 @@
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/table.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/acf_table.hpp"
 
@@ -178,11 +179,12 @@ int main(int argc, char** argv) {
     cli::Progress progress(tool);
     cli::EnsembleGrid grids("the test");
     options.surfaces.for_each(tool, [&](cli::EnsembleMember&& member) {
-      const Dataset& data = member.data;
-      grids.add(tool, grid_of(data), member.name);
-      if (!test) test = test_for(tool, options, data, progress);
-      tool.detail(member.name);
-      test->add(field_of(data, options.variable, "m", Missing::not_a_number), grid_of(data));
+      grids.add(tool, grid_of(member.data), member.name);
+      cli::in_turn([&, data = std::move(member.data), name = std::move(member.name)] {
+        if (!test) test = test_for(tool, options, data, progress);
+        tool.detail(name);
+        test->add(field_of(data, options.variable, "m", Missing::not_a_number), grid_of(data));
+      });
     });
     const std::vector<TestResult> results = test->results();
     const std::string simulated =

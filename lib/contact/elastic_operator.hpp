@@ -37,6 +37,9 @@ class ElasticOperator {
   /// The same body on a rectangle of its cells, of this shape or somewhat more: K of pressures that are 0
   /// elsewhere. Its position does not matter: bodies are uniform. Null if it would not save time.
   virtual std::shared_ptr<ElasticOperator> windowed(Shape) { return nullptr; }
+  /// windowed() goes on as if it had never been asked: a solution then has the bits that a new operator gives
+  /// it, whatever was solved before.
+  virtual void forget_windows() {}
   /// Spent so far on coefficients, plans and spectra.
   virtual double setup_seconds() const { return 0; }
 };

@@ -139,6 +139,7 @@ class HalfSpace final : public ElasticOperator {
     return std::make_unique<HalfSpace>(coarse, datum_, modulus_, threads_, work_);
   }
 
+  void forget_windows() override { asked_ = false; }
   std::shared_ptr<ElasticOperator> windowed(Shape least) override {
     if (grid_.periodic.both()) return nullptr;
     if (grid_.periodic.x) least.nx = shape().nx;
@@ -155,9 +156,10 @@ class HalfSpace final : public ElasticOperator {
     if (exceeds(torus, calibration::contact::largest_window, torus_for(shape())) ||
         !covers(shape(), window.shape))
       return nullptr;
-    if (window_ && covers(window_->shape(), least) &&
-        !exceeds(window_->shape(), calibration::contact::shared_window, window.shape))
-      return window_;
+    const bool goes_on = window_ && std::exchange(asked_, true) && covers(window_->shape(), least) &&
+                         !exceeds(window_->shape(), calibration::contact::shared_window, window.shape);
+    if (goes_on || (window_ && window_->shape() == window.shape)) return window_;
+    asked_ = true;
     setup_ = setup_seconds();
     return window_ = std::make_shared<HalfSpace>(window, datum_, modulus_, threads_, work_);
   }
@@ -226,6 +228,7 @@ class HalfSpace final : public ElasticOperator {
   Convolution<double> influence_, inverse_;
   Convolution<float> single_, single_inverse_;
   std::shared_ptr<HalfSpace> window_;
+  bool asked_ = false;  ///< for a window, of late: window_ is of the present problem
   double setup_ = 0;
 };
 

@@ -1,5 +1,7 @@
 /// Loops over independent pieces on several threads, in contiguous runs, one per thread. There are no
 /// reductions across threads: results do not depend on their number.
+///
+/// A thread that works alone, as one of several on a piece of work each, runs its loops by itself.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +14,14 @@
 
 namespace asperity {
 
-/// Number of threads for a request on the command line; 0: all of the machine.
+/// Whether this thread works alone.
+bool works_alone();
+/// It does from here on, and to its end.
+void work_alone();
+
+/// Number of threads for a request on the command line; 0: all of the machine. 1 where a thread works alone.
 inline int resolve_threads(int requested) {
+  if (works_alone()) return 1;
   return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
@@ -22,7 +30,7 @@ inline int resolve_threads(int requested) {
 /// its run.
 template <class Run>
 void parallel_ranges(Index count, int threads, Run run) {
-  const Index workers = std::clamp<Index>(threads, 1, std::max<Index>(count, 1));
+  const Index workers = works_alone() ? 1 : std::clamp<Index>(threads, 1, std::max<Index>(count, 1));
   if (workers == 1) {
     run(Index{0}, count, 0);
     return;

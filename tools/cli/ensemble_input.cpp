@@ -11,11 +11,14 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "core/words.hpp"
+#include "dataset/unread.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/turns.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -126,37 +129,90 @@ Dataset EnsembleInput::only(const Tool& tool) {
   return out;
 }
 
-void EnsembleInput::for_each(const Tool& tool, const Visit& visit, const VisitPath& taken) {
-  const Failed none;
-  visit_all({tool, visit, taken, none});
-}
+// The surfaces as they come, on threads of their own where that pays.
+class EnsembleInput::Visits {
+ public:
+  using Read = std::function<Dataset()>;
 
-void EnsembleInput::for_each(const Tool& tool, const Visit& visit, const Failed& failed) {
-  const VisitPath none = [](const std::string&) { return false; };
-  visit_all({tool, visit, none, failed});
-}
+  explicit Visits(const Run& run) : run_(run), progress_(run.tool) {}
 
-// The next surface, unless it cannot be read and the others go on.
-void EnsembleInput::visit_one(const Run& run, const std::string& name, std::size_t of,
-                              const std::function<Dataset()>& read) {
-  std::optional<Dataset> data;
-  try {
-    data = read();
-  } catch (const DataError& error) {
-    if (of == 1 || !run.failed) throw;
-    run.failed(name, run.tool.in_file(error));
+  /// A file.
+  void add(const std::string& name, std::size_t number, std::size_t of) {
+    const Read read = [this, name] { return run_.tool.read(name); };
+    const bool apart = run_.apart.are && run_.apart.are(name);
+    std::error_code none;
+    if (turns_ && !apart && std::filesystem::is_regular_file(name, none))
+      return turns_->add([this, name, number, of, read] {
+        begin(name, number, of);
+        if (std::optional<EnsembleMember> member = opened(name, number, of, read)) visit(std::move(*member));
+      });
+    finish();
+    begin(name, number, of);
+    if (apart)
+      run_.apart.visit(name);
+    else
+      add_read(name, number, of, read);
   }
-  if (data) run.visit({std::move(*data), name, of});
-}
+  /// Reads a surface now; the first decides how many are visited at once.
+  void add_read(const std::string& name, std::size_t number, std::size_t of, const Read& read) {
+    std::optional<EnsembleMember> member = opened(name, number, of, read);
+    if (!member) return;
+    if (!turns_) turns_.emplace(of > 1 ? datasets_at_once(run_.tool, shape_of(member->data)) : 1);
+    turns_->add([this, one = std::move(*member)]() mutable { visit(std::move(one)); });
+  }
+  void begin(const std::string& name, std::size_t number, std::size_t of) {
+    if (of > 1) {
+      run_.tool.about(name);
+      in_turn([this, number, of] {
+        progress_.count(static_cast<double>(number - 1), static_cast<double>(of), "surfaces");
+      });
+    }
+    run_.tool.reads(name, of == 1 && run_.tool.result_is_dataset());
+  }
+  /// Until all so far have been told of.
+  void finish() {
+    if (turns_) turns_->finish();
+  }
+  const Run& run() const { return run_; }
 
-// Visits the dataset on standard input, one of so many, or returns the names that it lists.
-Names EnsembleInput::from_standard_input(const Run& run, std::size_t of) {
+ private:
+  static Shape shape_of(const Dataset& data) {
+    auto points = [&](std::string_view axis) {
+      const Variable* const found = data.find(axis);
+      return found == nullptr ? Index{0} : static_cast<Index>(count(*found));
+    };
+    return {points("x"), points("y")};
+  }
+  // Nothing of one that cannot be read, if the others go on.
+  std::optional<EnsembleMember> opened(const std::string& name, std::size_t number, std::size_t of,
+                                       const Read& read) const try {
+    return EnsembleMember{read(), name, number, of};
+  } catch (const DataError& error) {
+    if (of == 1 || !run_.failed) throw;
+    in_turn([this, name, why = run_.tool.in_file(error)] { run_.failed(name, why); });
+    return std::nullopt;
+  }
+  // A large one among small ones has all threads, in its turn.
+  void visit(EnsembleMember&& member) const {
+    if (!works_alone() || !is_worth_all_threads(shape_of(member.data))) return run_.visit(std::move(member));
+    in_turn([this, one = std::move(member)]() mutable { run_.visit(std::move(one)); });
+  }
+
+  const Run& run_;
+  Progress progress_;
+  std::optional<Turns> turns_ = {};  ///< from the first surface on
+};
+
+// The dataset on standard input, one of so many, or the names that it lists.
+Names EnsembleInput::from_standard_input(Visits& visits, std::size_t number, std::size_t of) {
+  const Run& run = visits.run();
+  constexpr const char* own = "/proc/self/fd/0";  // if it is a file
   run.tool.reads("-", of == 1 && run.tool.result_is_dataset());
-  if (!piped_ && run.taken("/proc/self/fd/0")) return {};  // if it is a file
+  if (!piped_ && run.apart.are && run.apart.are(own)) return run.apart.visit(own), Names();
   if (!piped_) piped_ = piped(run.tool);
   const Names names = listed(run.tool, *piped_);
   if (names.empty())
-    visit_one(run, "-", of, [&] {
+    visits.add_read("-", number, of, [&] {
       if (of > 1) return run.tool.read(*piped_, "-");  // kept for another visit
       return run.tool.read(std::move(*std::exchange(piped_, {})), "-");
     });
@@ -167,25 +223,28 @@ Names EnsembleInput::from_standard_input(const Run& run, std::size_t of) {
 void EnsembleInput::visit_all(const Run& run) {
   Names names = all_matches(files);
   check(run.tool, names);
-  Progress progress(run.tool);
+  Visits visits(run);
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (names.size() > 1) run.tool.about(names[k]);
     if (names[k] == "-") {
-      const Names more = from_standard_input(run, names.size());
+      visits.finish();
+      if (names.size() > 1) run.tool.about(names[k]);
+      const Names more = from_standard_input(visits, k + 1, names.size());
       if (more.empty()) continue;
       replace(names, k, more);
       check(run.tool, names);
-      if (names.size() > 1) run.tool.about(names[k]);
     }
-    const bool alone = names.size() == 1;
-    if (!alone) progress.count(static_cast<double>(k), static_cast<double>(names.size()), "surfaces");
-    run.tool.reads(names[k], alone && run.tool.result_is_dataset());
-    if (!run.taken(names[k])) visit_one(run, names[k], names.size(), [&] { return run.tool.read(names[k]); });
+    visits.add(names[k], k + 1, names.size());
   }
+  visits.finish();
   run.tool.about("");
 }
 
 void EnsembleGrid::add(const Tool& tool, const Grid& grid, const std::string& file, const std::string& unit) {
+  in_turn([this, &tool, grid, file, unit] { compare(tool, grid, file, unit); });
+}
+
+void EnsembleGrid::compare(const Tool& tool, const Grid& grid, const std::string& file,
+                           const std::string& unit) {
   if (!first_) {
     first_ = grid;
     file_ = file;

@@ -19,7 +19,7 @@ namespace asperity::cli {
 struct EnsembleMember {
   Dataset data;
   std::string name;
-  std::size_t of = 1;  ///< how many there are
+  std::size_t number = 1, of = 1;  ///< which one, and how many there are
 
   bool alone() const { return of == 1; }
 };
@@ -39,29 +39,37 @@ struct EnsembleInput {
   Dataset only(const Tool& tool);
 
   using Visit = std::function<void(EnsembleMember&&)>;
-  using VisitPath = std::function<bool(const std::string&)>;
   using Failed = std::function<void(const std::string& name, const std::string& why)>;
+  /// Files that are read in another way.
+  struct Apart {
+    std::function<bool(const std::string& path)> are;
+    std::function<void(const std::string& path)> visit;
+  };
 
-  /// Calls visit(member) for each surface, except files for which taken(path) returns true: it has read them
-  /// itself. Of a surface that is alone, --output may take the place, as of Tool::read(). After resolve(),
-  /// several surfaces can be visited again.
-  void for_each(
-      const Tool& tool, const Visit& visit,
-      const VisitPath& taken = [](const std::string&) { return false; });
-  /// The same; where there are several, one that cannot be read is told to `failed`, and the others go on.
-  void for_each(const Tool& tool, const Visit& visit, const Failed& failed);
+  /// Calls visit(member) for each surface. Of small ones several are visited at once: whatever they share,
+  /// they leave to their turn (cli/turns.hpp). What comes from a pipe is read in its turn. Of a surface that
+  /// is alone, --output may take the place, as of Tool::read(). After resolve(), several surfaces can be
+  /// visited again.
+  void for_each(const Tool& tool, const Visit& visit) { visit_all({tool, visit, {}, {}}); }
+  void for_each(const Tool& tool, const Visit& visit, const Apart& apart) {
+    visit_all({tool, visit, {}, apart});
+  }
+  /// The same; where there are several, one that cannot be read is told to `failed`, in its turn, and the
+  /// others go on.
+  void for_each(const Tool& tool, const Visit& visit, const Failed& failed) {
+    visit_all({tool, visit, failed, {}});
+  }
 
  private:
+  class Visits;
   struct Run {
     const Tool& tool;
     const Visit& visit;
-    const VisitPath& taken;
-    const Failed& failed;  ///< empty: an error ends the run
+    Failed failed;  ///< empty: an error ends the run
+    Apart apart;    ///< empty: none
   };
   void visit_all(const Run& run);
-  static void visit_one(const Run& run, const std::string& name, std::size_t of,
-                        const std::function<Dataset()>& read);
-  std::vector<std::string> from_standard_input(const Run& run, std::size_t of);
+  std::vector<std::string> from_standard_input(Visits& visits, std::size_t number, std::size_t of);
 
   std::optional<Bytes> piped_ = {};  ///< the dataset on standard input
 };
@@ -75,10 +83,12 @@ class EnsembleGrid {
   /// `alike`, "the test": what needs them; "": nothing does.
   explicit EnsembleGrid(std::string alike = "") : alike_(std::move(alike)) {}
   /// The grid of the next surface, and the unit of its field; throws DataError(file, …) with both grids or
-  /// units if it does not fit the first.
+  /// units if it does not fit the first; in turn.
   void add(const Tool& tool, const Grid& grid, const std::string& file, const std::string& unit = "m");
 
  private:
+  void compare(const Tool& tool, const Grid& grid, const std::string& file, const std::string& unit);
+
   std::string alike_;
   std::optional<Grid> first_;
   std::string file_, unit_;

@@ -205,7 +205,9 @@ void Tool::add_common() {
   if (seeded_) add_seed();
   if (threaded_)
     integer("--threads", threads_, {0, 4096, "more than a machine has"},
-            "Number of threads; 0: all of the machine", common);
+            "Number of threads; 0: all of the machine. They share the work on a large surface; of several "
+            "small ones each takes one",
+            common);
   if (writes_dataset_)
     flag("--no-history", no_history_, "Do not record the command in the dataset's history", common);
   if (computes_) add_running();

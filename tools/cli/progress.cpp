@@ -122,6 +122,7 @@ void Progress::count(double done, double of, const std::string& units) {
 }
 
 void Progress::iterate(const IterationStatus& now) {
+  if (!shown_) return;
   const double share = std::clamp(std::max(decades_done(now.residual, now.tolerance), now.spent), 0.0, 1.0),
                at = clock_.seconds();
   const bool begins = !stage_.known || now.stage != stage_.stage;
@@ -130,7 +131,7 @@ void Progress::iterate(const IterationStatus& now) {
     left_.start(at, share);
   }
   advance(stage_.share + stage_.portion * share);
-  if (!(shown_ && (begins || is_due()))) return;
+  if (!(begins || is_due())) return;
   std::vector<std::string> words = now.stage;
   words.push_back(fmt::format("residual {:.1e}", now.residual));
   const double reached = stage_.portion > 0 ? (share_ - stage_.share) / stage_.portion : 1;

@@ -42,7 +42,9 @@ class Progress {
   /// `portion` is its part of what is left of the bar: less than 1 where the run goes on with another one.
   explicit Progress(const Tool& tool, double portion = 1)
       : name_(tool.name()), shown_(tool.shows_progress()), portion_(portion) {}
-  ~Progress() { wipe(); }
+  ~Progress() {
+    if (shown_) wipe();
+  }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <fstream>
+#include <mutex>
 #include <new>
 #include <string_view>
 #include <sys/resource.h>
@@ -98,6 +99,8 @@ Ending work_into(const Pipe& out, const WorkOfBytes& work) noexcept try {
 }  // namespace
 
 Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
+  static std::mutex one_at_a_time;  // a child inherits the pipe of another, and signals are the process's
+  const std::scoped_lock lock(one_at_a_time);
   Pipe pipe;
   const EndOfChildren heard;
   const std::size_t present = address_space();

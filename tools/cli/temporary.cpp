@@ -12,7 +12,7 @@ namespace asperity::cli {
 namespace {
 
 // What a handler may read at any time.
-std::array<std::atomic<const char*>, 8> names{};
+std::array<std::atomic<const char*>, 256> names{};
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
 extern "C" void remove_names_and_end(int signal) {

@@ -214,20 +214,21 @@ class Tool {
   /// Settles lengths (dataset/layout.hpp) and notes what was settled; `name` is that of one file among
   /// several.
   void settle(Dataset& dataset, const std::string& name = "-") const;
-  void write(Dataset& dataset);                           ///< to --output, after history, source and --report
-  void write(Dataset& dataset, const std::string& name);  ///< to another file
+  void write(Dataset& dataset);  ///< to --output, after history, source and --report
+  /// To another file, which gets its name in turn (cli/turns.hpp). `lines`: what the run did, as of sign().
+  void write(Dataset& dataset, const std::string& name, const std::vector<std::string>& lines = {}) const;
   /// Throws UsageError(option, …) where `what`, "a contact of 64x64 cells", needs more than --memory allows.
   void require_memory(double bytes, const std::string& option, const std::string& what) const;
-  /// What the run did, a line each: behind its command in the history of what is written from here on.
-  void remember(std::vector<std::string> lines) { remembered_ = std::move(lines); }
   // The parts of write(), for a tool that writes its dataset piece by piece.
-  void sign(Dataset& dataset) const;                ///< Conventions, source and history
+  /// Conventions, source and history; `lines` are what the run did, behind its command.
+  void sign(Dataset& dataset, const std::vector<std::string>& lines = {}) const;
   void write_report(const Dataset& dataset) const;  ///< to --report, if given
   /// An error in the data of the file that was read last, as a line: "rough.nc: heights: …".
   std::string in_file(const DataError& error) const;
   bool output_is_terminal() const;
   void write_text(const std::string& text) const;  ///< to --output, every byte checked
-  /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it.
+  /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it. Each
+  /// is said in turn, and so is about().
   void warn(const std::string& text) const;
   void note(const std::string& text) const;
   void detail(const std::string& text) const;  ///< with --verbose only
@@ -271,14 +272,13 @@ class Tool {
   const CLI::Option* may_be_empty_ = nullptr;
   std::vector<const CLI::Option*> step_options_;
   std::string steps_text_;
-  std::vector<std::string> remembered_;
   InputFormat format_;
   std::size_t memory_;
   Stopwatch clock_;
   int threads_ = 0, stream_ = 0;
   std::optional<std::uint64_t> seed_;
-  mutable std::string reading_;  ///< the last file that was
-  mutable std::string subject_;  ///< of warnings: one of several surfaces
+  static thread_local std::string reading_;  ///< the last file that was, on this thread
+  mutable std::string subject_;              ///< of warnings: one of several surfaces
   mutable Repeated warnings_, notes_;
   bool result_is_dataset_ = false;
   bool takes_input_ = false, reads_ = false, writes_dataset_ = false, writes_any_ = false,

@@ -18,12 +18,26 @@ ElasticOperator& Influence::on(const Grid& grid) {
     told_ = 0;
   }
   grid_ = grid;
+  made_->forget_windows();
   return *made_;
 }
 
 double Influence::further_seconds() {
   const double now = made_->setup_seconds();
   return now - std::exchange(told_, now);
+}
+
+std::unique_ptr<Influence> Influences::taken() {
+  const std::scoped_lock lock(mutex_);
+  if (free_.empty()) return std::make_unique<Influence>(options_);
+  std::unique_ptr<Influence> out = std::move(free_.back());
+  free_.pop_back();
+  return out;
+}
+
+void Influences::put_back(std::unique_ptr<Influence> one) {
+  const std::scoped_lock lock(mutex_);
+  free_.push_back(std::move(one));
 }
 
 Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence) {

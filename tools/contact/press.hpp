@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@
 
 namespace asperity::cli {
 
-/// Influence coefficients and plans, made once for all surfaces of one grid.
+/// Influence coefficients and plans, made once for all surfaces of one grid. No contact depends on those
+/// before it.
 class Influence {
  public:
   explicit Influence(const ContactOptions& options) : options_(options) {}
@@ -27,6 +29,35 @@ class Influence {
   Grid grid_ = {};
   std::unique_ptr<ElasticOperator> made_ = {};
   double told_ = 0;
+};
+
+/// As many of them as there are contacts at once.
+class Influences {
+ public:
+  explicit Influences(const ContactOptions& options) : options_(options) {}
+  /// Calls use(influence) with one that nobody else uses meanwhile.
+  template <class Use>
+  auto with_one(const Use& use) {
+    const Lease lease(*this);
+    return use(*lease.one);
+  }
+
+ private:
+  struct Lease {
+    explicit Lease(Influences& of) : stock(of), one(of.taken()) {}
+    ~Lease() { stock.put_back(std::move(one)); }
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+
+    Influences& stock;
+    std::unique_ptr<Influence> one;
+  };
+  std::unique_ptr<Influence> taken();
+  void put_back(std::unique_ptr<Influence> one);
+
+  const ContactOptions& options_;
+  std::mutex mutex_ = {};
+  std::vector<std::unique_ptr<Influence>> free_ = {};
 };
 
 struct Pressed {

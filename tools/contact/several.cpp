@@ -11,6 +11,7 @@
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/turns.hpp"
 #include "tools/contact/resolution.hpp"
 
 namespace asperity::cli {
@@ -19,7 +20,7 @@ namespace {
 // Visits the scenes of all surfaces, and tells of those that fail.
 class Scenes {
  public:
-  using Solve = std::function<void(ContactScene& scene, const std::string& name)>;
+  using Solve = std::function<void(ContactScene& scene, const EnsembleMember& of)>;  ///< without its data
   using Failed = std::function<void(const std::string& name)>;
 
   Scenes(Tool& tool, ContactOptions& options) : tool_(tool), options_(options) {}
@@ -28,8 +29,10 @@ class Scenes {
   int for_each(const Solve& solve, const Failed& failed) {
     auto fail = [&](const std::string& name, const std::string& why, int code) {
       tool_.warn(why);
-      code_ = std::max(code_, code);
-      failed(name);
+      in_turn([this, &failed, name, code] {
+        code_ = std::max(code_, code);
+        failed(name);
+      });
     };
     options_.surfaces.for_each(
         tool_,
@@ -40,7 +43,7 @@ class Scenes {
             ContactScene scene = scene_of(tool_, options_, std::move(member.data));
             warn(doubts(scene));
             warn(doubts(scene.grid, options_.bodies));
-            solve(scene, member.name);
+            solve(scene, member);
           } catch (const DataError& error) {
             fail(member.name, tool_.in_file(error), bad_data);
           } catch (const ParameterError& error) {
@@ -87,43 +90,42 @@ EnsembleTable::Content content_of(const Table& sweep) {
 int press_several(Tool& tool, ContactOptions& options) {
   EnsembleRows rows(
       {.prefix = "contact_", .without = {"hertz_*"}, .achieved = {"residual", "convolutions", "converged"}});
-  Influence influence(options);
-  int code = done, number = 0;
-  const int failed = Scenes(tool, options)
-                         .for_each(
-                             [&](ContactScene& scene, const std::string& name) {
-                               const Inventory before(scene.data);
-                               const Pressed pressed = press(options, scene, influence);
-                               ++number;
-                               const bool converged = pressed.contact.converged;
-                               rows.add(name, scene.data.attributes, converged);
-                               for (const Doubt& doubt : pressed.doubts) tool.warn(doubt.words);
-                               code = std::max(code, told_exit(tool, options, pressed.contact, ""));
-                               if (options.each.empty()) return;
-                               if (number == 1) before.tell(tool, scene.data, "pressure");
-                               tool.write(scene.data, numbered("each", options.each, number));
-                             },
-                             [&](const std::string& name) {
-                               ++number;
-                               rows.add_failed(name);
-                             });
+  Influences influences(options);
+  int code = done;
+  const auto solve = [&](ContactScene& scene, const EnsembleMember& of) {
+    const Inventory before(scene.data);
+    const Pressed pressed = influences.with_one([&](Influence& own) { return press(options, scene, own); });
+    in_turn([&, name = of.name, results = scene.data.attributes, converged = pressed.contact.converged] {
+      rows.add(name, results, converged);
+    });
+    for (const Doubt& doubt : pressed.doubts) tool.warn(doubt.words);
+    in_turn([&code, own = told_exit(tool, options, pressed.contact, "")] { code = std::max(code, own); });
+    if (options.each.empty()) return;
+    if (of.number == 1) before.tell(tool, scene.data, "pressure");
+    tool.write(scene.data, numbered("each", options.each, static_cast<std::int64_t>(of.number)));
+  };
+  const int failed =
+      Scenes(tool, options).for_each(solve, [&](const std::string& name) { rows.add_failed(name); });
   print(tool, rows.table());
   return std::max(code, failed);
 }
 
 int sweep_several(Tool& tool, ContactOptions& options, const Sweep& sweep) {
   std::optional<EnsembleTable> mean;
-  Influence influence(options);
+  Influences influences(options);
   int code = done;
-  const int failed = Scenes(tool, options)
-                         .for_each(
-                             [&](ContactScene& scene, const std::string& name) {
-                               Table loads = sweep(scene, influence.on(scene.grid), name + ": ", code);
-                               blank_unconverged(loads);
-                               if (!mean) mean.emplace(content_of(loads));
-                               mean->add(loads, name);
-                             },
-                             [](const std::string&) {});
+  const auto solve = [&](ContactScene& scene, const EnsembleMember& of) {
+    int own = done;
+    Table loads = influences.with_one(
+        [&](Influence& influence) { return sweep(scene, influence.on(scene.grid), of.name + ": ", own); });
+    blank_unconverged(loads);
+    in_turn([&mean, &code, loads = std::move(loads), name = of.name, own] {
+      code = std::max(code, own);
+      if (!mean) mean.emplace(content_of(loads));
+      mean->add(loads, name);
+    });
+  };
+  const int failed = Scenes(tool, options).for_each(solve, [](const std::string&) {});
   if (mean) print(tool, mean->table());
   return std::max(code, failed);
 }

@@ -66,14 +66,14 @@ void filter_in_strips(Tool& tool, const Chain& chain, const std::string& path, c
                    {},
                    removed_degree(data, variable)};
   const Inventory before(data);
-  tool.remember(chain(tool, parts, si_unit_of(data.at(variable))));
+  const std::vector<std::string> lines = chain(tool, parts, si_unit_of(data.at(variable)));
   const double share = filled_share(data, variable);
   Survey survey;
   for_each_strip(parts, tool.memory(), [&](const Field& strip) { survey.add(strip); });
   put_map(data, parts, survey, variable);
   set_preparation(data, parts.degree, share);
   before.tell(tool, data, "map");
-  tool.sign(data);
+  tool.sign(data, lines);
   DatasetStream out(output);
   out.head(data, 1);
   for_each_strip(parts, tool.memory(), [&](const Field& strip) {

@@ -7,6 +7,7 @@
 #include "tools/cli/ensemble_rows.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/lineage.hpp"
+#include "tools/cli/turns.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -20,8 +21,10 @@ int for_each_scene(Tool& tool, StressOptions& options, const Use& use, const Fai
   int code = done;
   auto fail = [&](const std::string& name, const std::string& why) {
     tool.warn(why);
-    code = bad_data;
-    failed(name);
+    in_turn([&code, &failed, name] {
+      code = bad_data;
+      failed(name);
+    });
   };
   options.surfaces.for_each(
       tool,
@@ -49,7 +52,7 @@ int print_rows(Tool& tool, StressOptions& options) {
         const StressMaximum top = find_maximum(
             tool, scene, search, StressSolver(scene.body, tool.thread_count(), scene.resolution));
         record_parameters(scene);
-        rows.add(name, scene.data.attributes, true);
+        in_turn([&rows, name, results = scene.data.attributes] { rows.add(name, results, true); });
         if (search.of == Criterion::von_mises) warn_of_yield(tool, scene, top.value);
       },
       [&](const std::string& name) { rows.add_failed(name); });
@@ -62,7 +65,7 @@ int print_layers(Tool& tool, StressOptions& options) {
   const int code = for_each_scene(
       tool, options,
       [&](const StressScene& scene, const std::string& name) {
-        mean.add(maxima_of(tool, options, scene), name);
+        in_turn([&mean, name, maxima = maxima_of(tool, options, scene)] { mean.add(maxima, name); });
       },
       [](const std::string&) {});
   if (mean.surfaces() > 0) print(tool, mean.table());

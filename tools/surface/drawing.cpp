@@ -8,6 +8,7 @@
 #include "tools/cli/dataset_stream.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/turns.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -29,7 +30,7 @@ Range range_of(const RunningMoments& moments) {
 class Writer {
  public:
   Writer(const Drawing& drawing, const Tool& tool, Dataset data, const std::string& name)
-      : drawing_(drawing), tool_(tool), data_(std::move(data)), out_(name) {
+      : drawing_(drawing), tool_(tool), data_(std::move(data)), file_(std::make_shared<DatasetStream>(name)) {
     layers_.push_back({"heights", {"m", "height"}, heights(), {}});
     if (drawing.with_noise)
       layers_.push_back({"noise",
@@ -38,6 +39,7 @@ class Writer {
                          {}});
   }
 
+  // The file gets its name in turn.
   void write() {
     const bool survey_first = kept_.size() > 0 || drawing_.exact_rq || !out_.rewritable();
     passes_ = static_cast<double>(layers_.size() * (survey_first && kept_.size() == 0 ? 2 : 1));
@@ -56,7 +58,7 @@ class Writer {
       record();
       out_.head(data_, layers_.size());
     }
-    out_.close();
+    in_turn([file = file_] { file->close(); });
     tool_.write_report(data_);
   }
 
@@ -120,7 +122,8 @@ class Writer {
   const Tool& tool_;
   Dataset data_;
   const Stopwatch watch_;
-  DatasetStream out_;
+  std::shared_ptr<DatasetStream> file_;
+  DatasetStream& out_ = *file_;
   std::vector<Layer> layers_;
   Field kept_;
   double done_ = 0, passes_ = 1;  ///< over the rows

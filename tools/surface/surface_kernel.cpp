@@ -33,7 +33,7 @@ void adopt_grid(const Tool& tool, GenerateOptions& o, const Dataset& data) {
 // Throws ParameterError("memory") where a kernel of these lags leaves none for a strip of the surface.
 void refuse_drawing(const Tool& tool, const GenerateOptions& o, Shape lags) {
   auto side = [&](Index n, Index period) { return o.periodic ? std::min(2 * n - 1, period) : 2 * n - 1; };
-  o.synthesis(tool, Field::Zero(side(lags.nx, o.shape.nx), side(lags.ny, o.shape.ny)));
+  o.synthesis(tool, Field::Zero(side(lags.nx, o.shape.nx), side(lags.ny, o.shape.ny)), {}, 0, 1);
 }
 
 void require_model(const Tool& tool) {
