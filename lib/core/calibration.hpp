@@ -164,15 +164,3 @@ inline constexpr double same_place = 0.25;        ///< of the depth: maxima of t
 inline constexpr double wide_cell_depth = 3;      ///< in sides of a cell of the scan
 
 }  // namespace asperity::calibration::stress
-
-/// Several datasets at once, one thread each, against one after the other on all threads. asperity-contact of
-/// 4 to 16 rough spheres on two threads of a busy machine, seconds of the one over those of the other: 0.5 at
-/// 256², 0.6 at 512², 0.8 at 1024², 0.96 in twice the memory at 2048². The lengths of asperity-acf: 0.7 at
-/// 512², 0.9 at 1024².
-namespace asperity::calibration::turns {
-
-inline constexpr Index most_cells = 1024 * 1024;
-inline constexpr double bytes_a_cell = 512;  ///< the largest stress takes 450, a contact 110
-inline constexpr int most_at_once = 64;      ///< files without a name; cli/temporary.cpp has room for 256
-
-}  // namespace asperity::calibration::turns

@@ -134,12 +134,14 @@ class EnsembleInput::Visits {
  public:
   using Read = std::function<Dataset()>;
 
-  explicit Visits(const Run& run) : run_(run), progress_(run.tool) {}
+  const Run& run;
+
+  explicit Visits(const Run& of) : run(of), progress_(of.tool) {}
 
   /// A file.
   void add(const std::string& name, std::size_t number, std::size_t of) {
-    const Read read = [this, name] { return run_.tool.read(name); };
-    const bool apart = run_.apart.are && run_.apart.are(name);
+    const Read read = [this, name] { return run.tool.read(name); };
+    const bool apart = run.apart.are && run.apart.are(name);
     std::error_code none;
     if (turns_ && !apart && std::filesystem::is_regular_file(name, none))
       return turns_->add([this, name, number, of, read] {
@@ -149,7 +151,7 @@ class EnsembleInput::Visits {
     finish();
     begin(name, number, of);
     if (apart)
-      run_.apart.visit(name);
+      run.apart.visit(name);
     else
       add_read(name, number, of, read);
   }
@@ -157,23 +159,22 @@ class EnsembleInput::Visits {
   void add_read(const std::string& name, std::size_t number, std::size_t of, const Read& read) {
     std::optional<EnsembleMember> member = opened(name, number, of, read);
     if (!member) return;
-    if (!turns_) turns_.emplace(of > 1 ? datasets_at_once(run_.tool, shape_of(member->data)) : 1);
+    if (!turns_) turns_.emplace(of > 1 ? datasets_at_once(run.tool, shape_of(member->data)) : 1);
     turns_->add([this, one = std::move(*member)]() mutable { visit(std::move(one)); });
   }
   void begin(const std::string& name, std::size_t number, std::size_t of) {
     if (of > 1) {
-      run_.tool.about(name);
+      run.tool.about(name);
       in_turn([this, number, of] {
         progress_.count(static_cast<double>(number - 1), static_cast<double>(of), "surfaces");
       });
     }
-    run_.tool.reads(name, of == 1 && run_.tool.result_is_dataset());
+    run.tool.reads(name, of == 1 && run.tool.result_is_dataset());
   }
   /// Until all so far have been told of.
   void finish() {
     if (turns_) turns_->finish();
   }
-  const Run& run() const { return run_; }
 
  private:
   static Shape shape_of(const Dataset& data) {
@@ -188,24 +189,23 @@ class EnsembleInput::Visits {
                                        const Read& read) const try {
     return EnsembleMember{read(), name, number, of};
   } catch (const DataError& error) {
-    if (of == 1 || !run_.failed) throw;
-    in_turn([this, name, why = run_.tool.in_file(error)] { run_.failed(name, why); });
+    if (of == 1 || !run.failed) throw;
+    in_turn([this, name, why = run.tool.in_file(error)] { run.failed(name, why); });
     return std::nullopt;
   }
   // A large one among small ones has all threads, in its turn.
   void visit(EnsembleMember&& member) const {
-    if (!works_alone() || !is_worth_all_threads(shape_of(member.data))) return run_.visit(std::move(member));
-    in_turn([this, one = std::move(member)]() mutable { run_.visit(std::move(one)); });
+    if (!works_alone() || !is_worth_all_threads(shape_of(member.data))) return run.visit(std::move(member));
+    in_turn([this, one = std::move(member)]() mutable { run.visit(std::move(one)); });
   }
 
-  const Run& run_;
   Progress progress_;
   std::optional<Turns> turns_ = {};  ///< from the first surface on
 };
 
 // The dataset on standard input, one of so many, or the names that it lists.
 Names EnsembleInput::from_standard_input(Visits& visits, std::size_t number, std::size_t of) {
-  const Run& run = visits.run();
+  const Run& run = visits.run;
   constexpr const char* own = "/proc/self/fd/0";  // if it is a file
   run.tool.reads("-", of == 1 && run.tool.result_is_dataset());
   if (!piped_ && run.apart.are && run.apart.are(own)) return run.apart.visit(own), Names();
