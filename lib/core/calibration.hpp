@@ -160,6 +160,7 @@ inline constexpr double scan_shallowest = 0.25;           ///< of a cell
 inline constexpr double scan_margin = 0.03,
                         principal_margin = 0.15;  ///< of the largest: starts below are left
 inline constexpr double wide_margin = 0.1;        ///< added times (spacing / depth)² at most 1
+inline constexpr double recurrence = 1e-9;        ///< of the value: round-off of a layer is 1e-13
 inline constexpr double same_place = 0.25;        ///< of the depth: maxima of two layers that are one
 inline constexpr double wide_cell_depth = 3;      ///< in sides of a cell of the scan
 

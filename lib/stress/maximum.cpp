@@ -173,12 +173,23 @@ class Search {
     return static_cast<std::size_t>(std::ranges::find(depths_, z) - depths_.begin());
   }
 
-  // Those of the field by its value at their place, so that what parabolas leave is of second order.
+  // Whether both are the same maximum of a pattern that recurs: alike but for round-off.
+  static bool recurs(const LayerMaximum& m, const LayerMaximum& before) {
+    const double alike = recurrence * std::abs(before.value);
+    return m.z == before.z && std::abs(m.value - before.value) <= alike &&
+           std::abs(m.rise - before.rise) <= alike;
+  }
+
+  // Those of the field by its value at their place, so that what parabolas leave is of second order; they are
+  // sorted.
   void look_closely(const PeakClimber& climber) {
     double top = -std::numeric_limits<double>::infinity();
     std::vector<LayerMaximum> kept;
-    for (LayerMaximum m : starts_) {
-      if (m.value + 2 * m.rise < start(m, top) || on_a_slope(m)) continue;
+    const LayerMaximum* before = nullptr;
+    for (const LayerMaximum& of : starts_) {
+      LayerMaximum m = of;
+      if (m.value + 2 * m.rise < start(m, top) || (before && recurs(m, *before)) || on_a_slope(m)) continue;
+      before = &of;
       if (!at_centres(m)) m.value = climber.value(m.x, m.y, m.z);
       top = std::max(top, m.value);
       kept.push_back(m);

@@ -24,7 +24,9 @@
 ///           a cell, the pressure's among them. Grids below 64 cells a side, cells longer than twice their
 ///           width, and periods that are no multiple of four take whole layers, of the full cells above 6 Δ;
 ///           so does a load periodic in both directions above Δ. Where cells repeat along one axis alone a
-///           point takes 20 μs a loaded cell (stress/points.hpp).
+///           point takes 20 μs a loaded cell (stress/points.hpp); along both, 27 ms at 1024² cells,
+///           so that many nearly equal maxima, as at a limit pressure, take 8 s there. Maxima that recur are
+///           climbed once.
 #pragma once
 
 #include <functional>
