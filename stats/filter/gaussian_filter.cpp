@@ -24,7 +24,11 @@ void check_cutoff(const Grid& grid, double cutoff) {
 Field gaussian_mean_surface(const Field& z, const Grid& grid, double cutoff, int threads) {
   GaussianSums sums(grid, cutoff, threads);
   const double level = mean(z);
-  if (!has_missing(z)) return sums.of(z - level) / sums.of_weights() + level;
+  if (!has_missing(z)) {
+    Field out = sums.mean(z - level);
+    out += level;
+    return out;
+  }
   const Field valid = validity(z);
   return (valid > 0).select(sums.of(zero_filled(z - level)) / sums.of(valid), NAN) + level;
 }

@@ -52,18 +52,15 @@ AxisAverage axis_average(Index n, double step, bool periodic, double cutoff) {
   return periodic ? periodic_axis(n, step, cutoff) : open_axis(n, step, cutoff);
 }
 
-Field outer(const Eigen::ArrayXd& along_x, const Eigen::ArrayXd& along_y) {
-  return along_x.matrix() * along_y.matrix().transpose();
-}
-
 }  // namespace
 
 GaussianSums::GaussianSums(const Grid& grid, double cutoff, int threads) {
   check_cutoff(grid, cutoff);
   const AxisAverage x = axis_average(grid.shape.nx, grid.dx, grid.periodic.x, cutoff),
                     y = axis_average(grid.shape.ny, grid.dy, grid.periodic.y, cutoff);
-  sums_.emplace(grid.shape, Shape{x.torus, y.torus}, outer(x.symbol, y.symbol), threads);
-  inside_ = outer(x.inside, y.inside);
+  sums_.emplace(grid.shape, Shape{x.torus, y.torus}, x.symbol.matrix() * y.symbol.matrix().transpose(),
+                threads);
+  inside_x_ = x.inside, inside_y_ = y.inside;
 }
 
 }  // namespace asperity

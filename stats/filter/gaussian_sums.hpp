@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "core/field.hpp"
 #include "transform/convolution.hpp"
@@ -20,17 +21,20 @@ class GaussianSums {
   GaussianSums(const Grid& grid, double cutoff, int threads = 1);
 
   /// Σ s z about each point; no point is missing.
-  Field of(const Field& z) {
-    Field out;
-    sums_->apply(z, out);
-    return out;
+  Field of(Field z) {
+    sums_->apply(z, z);
+    return z;
   }
-  /// Σ s: of a field of ones.
-  const Field& of_weights() const { return inside_; }
+  /// Σ s z / Σ s.
+  Field mean(Field z) {
+    z = of(std::move(z));
+    for (Index i = 0; i < z.rows(); ++i) z.row(i) /= inside_x_[i] * inside_y_.transpose();
+    return z;
+  }
 
  private:
   std::optional<EvenConvolution> sums_;
-  Field inside_;
+  Eigen::ArrayXd inside_x_, inside_y_;  ///< Σ s along each axis
 };
 
 }  // namespace asperity

@@ -19,6 +19,14 @@ constexpr double least_variance = 0.05;
 // Sums over the pairs whose first point lies in a block, at lags of the whole plane: row P + p, column Q + q.
 struct PairSums {
   Field products, squares, pairs;
+
+  void add(PairSums&& other) {
+    if (products.size() == 0) {
+      *this = std::move(other);
+    } else {
+      products += other.products, squares += other.squares, pairs += other.pairs;
+    }
+  }
 };
 
 // Points first ≤ i < last along an axis.
@@ -57,10 +65,12 @@ class LagWaves::Blocks {
         along_x_(along_x),
         along_y_(along_y),
         complete_(!d.isNaN().any()),
-        heights_(complete_ ? d : zero_filled(d)),
+        filled_(complete_ ? Field() : zero_filled(d)),
+        heights_(complete_ ? d : filled_),
         valid_(complete_ ? Field() : validity(d)),
-        torus_{fast_length(largest(along_x, grid.shape.nx) + 2 * max_lag.nx),
-               fast_length(largest(along_y, grid.shape.ny) + 2 * max_lag.ny)},
+        piece_{piece(largest(along_x, grid.shape.nx), max_lag.nx),
+               piece(largest(along_y, grid.shape.ny), max_lag.ny)},
+        torus_{fast_length(piece_.nx + 2 * max_lag.nx), fast_length(piece_.ny + 2 * max_lag.ny)},
         transform_(torus_) {}
 
   bool complete() const { return complete_; }
@@ -92,6 +102,15 @@ class LagWaves::Blocks {
 
   PairSums sums(Index b) const {
     const Range x = block(x_of(b), along_x_, grid_.shape.nx), y = block(y_of(b), along_y_, grid_.shape.ny);
+    PairSums out;
+    for (Index i = x.first; i < x.last; i += piece_.nx)
+      for (Index j = y.first; j < y.last; j += piece_.ny)
+        out.add(sums({i, std::min(i + piece_.nx, x.last)}, {j, std::min(j + piece_.ny, y.last)}));
+    return out;
+  }
+
+ private:
+  PairSums sums(Range x, Range y) const {
     const Field far = surroundings(heights_, x, y);
     PairSums out;
     const Spectrum of_heights(*this, far, x, y);
@@ -106,8 +125,7 @@ class LagWaves::Blocks {
     return out;
   }
 
- private:
-  // Transforms of a block and of its surroundings.
+  // Transforms of a piece and of its surroundings.
   struct Spectrum {
     AlignedVector<Complex> near, far;
 
@@ -128,7 +146,10 @@ class LagWaves::Blocks {
     return out;
   }
 
-  // Of the block and all partners of its points; zero beyond the field.
+  // Blocks are taken in pieces that are much longer than the lags: less memory, where these are short.
+  static Index piece(Index points, Index lag) { return std::min(points, std::max<Index>(64, 16 * lag)); }
+
+  // Of a piece and all partners of its points; zero beyond the field.
   Field surroundings(const Field& f, Range x, Range y) const {
     const auto [nx, ny] = grid_.shape;
     auto inside = [](Index i, Index n, bool periodic) { return periodic ? ((i % n) + n) % n : i; };
@@ -178,8 +199,10 @@ class LagWaves::Blocks {
   Shape max_lag_;
   Index along_x_, along_y_;
   bool complete_;
-  Field heights_, valid_;
-  Shape torus_;
+  Field filled_;
+  const Field& heights_;
+  Field valid_;
+  Shape piece_, torus_;
   RealTransform2D transform_;
 };
 

@@ -14,11 +14,11 @@
 /// Intervals have K N_p/(N_p + 40) degrees of freedom.
 ///
 /// The waves are sums over blocks of the field, two a half wave of the shortest, and for odd sides one more;
-/// a block's products at all lags are a correlation by the FFT. A pair at the lag h whose first point lies in
-/// a block about x_b counts there with u(x_b + h/2), the place of its middle; each pair is met from both of
-/// its points, and counts a half each time, so that a field and its mirror images have the same errors.
-/// With missing heights the waves are made independent over the points of the blocks. At each lag they are
-/// divided by their deviation over its pairs, √(mean u² - ū²).
+/// a block's products at all lags are a correlation by the FFT, piece by piece where the lags are short. A
+/// pair at the lag h whose first point lies in a block about x_b counts there with u(x_b + h/2), the place of
+/// its middle; each pair is met from both of its points, and counts a half each time, so that a field and its
+/// mirror images have the same errors. With missing heights the waves are made independent over the points
+/// of the blocks. At each lag they are divided by their deviation over its pairs, √(mean u² - ū²).
 ///
 /// Symbols   K  waves      ν  half waves      P, Q  longest lags
 /// Scope     long_waves.hpp; lags up to half the field.
@@ -27,7 +27,7 @@
 ///           of the 95 % intervals hold the truth; of N_eff 33 to 140 0.78 to 1.19, 0.78 to 1.21 and 80 to
 ///           100 %, at the longest lag least (validation/error_coverage).
 /// Cost      for B blocks of bx × by points three transforms of (bx + 2P)(by + 2Q) points each, nine with
-///           missing heights. Memory: 4K fields over the lags.
+///           missing heights. Memory: 4K fields over the lags, and five such transforms, of a piece.
 #pragma once
 
 #include <cmath>

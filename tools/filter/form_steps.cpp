@@ -61,8 +61,8 @@ Account filtered(const std::string& option, const Cutoff& cutoff, const Tool& to
   warn_of_cutoff(tool, cutoff, surface.grid);
   MeanSurface waves = mean_surface(surface.heights, surface.grid, cutoff, tool.thread_count());
   if (!longer_stay) surface.degree = degree_behind(surface.degree, surface.grid, cutoff);
-  const Field former = std::exchange(
-      surface.heights, longer_stay ? std::move(waves.surface) : Field(surface.heights - waves.surface));
+  if (!longer_stay) waves.surface = surface.heights - waves.surface;
+  const Field former = std::exchange(surface.heights, std::move(waves.surface));
   return {removed(former, surface.heights, surface.units), false, waves.doubt};
 } catch (const ParameterError& error) {
   throw ParameterError(option, error.what());
