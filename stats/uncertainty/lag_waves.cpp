@@ -21,11 +21,8 @@ struct PairSums {
   Field products, squares, pairs;
 
   void add(PairSums&& other) {
-    if (products.size() == 0) {
-      *this = std::move(other);
-    } else {
-      products += other.products, squares += other.squares, pairs += other.pairs;
-    }
+    if (products.size() == 0) return void(*this = std::move(other));
+    products += other.products, squares += other.squares, pairs += other.pairs;
   }
 };
 
@@ -66,8 +63,8 @@ class LagWaves::Blocks {
         along_y_(along_y),
         complete_(!d.isNaN().any()),
         filled_(complete_ ? Field() : zero_filled(d)),
-        heights_(complete_ ? d : filled_),
         valid_(complete_ ? Field() : validity(d)),
+        heights_(complete_ ? d : filled_),
         piece_{piece(largest(along_x, grid.shape.nx), max_lag.nx),
                piece(largest(along_y, grid.shape.ny), max_lag.ny)},
         torus_{fast_length(piece_.nx + 2 * max_lag.nx), fast_length(piece_.ny + 2 * max_lag.ny)},
@@ -146,7 +143,7 @@ class LagWaves::Blocks {
     return out;
   }
 
-  // Blocks are taken in pieces that are much longer than the lags: less memory, where these are short.
+  // Much longer than the lags: less memory, where these are short.
   static Index piece(Index points, Index lag) { return std::min(points, std::max<Index>(64, 16 * lag)); }
 
   // Of a piece and all partners of its points; zero beyond the field.
@@ -182,16 +179,15 @@ class LagWaves::Blocks {
     const auto [nx, ny] = grid_.shape;
     const auto [P, Q] = max_lag_;
     const RectangleSums squares(far.square());
-    out.pairs = out.squares = Field(2 * P + 1, 2 * Q + 1);
+    out.pairs = out.squares = Field::Zero(2 * P + 1, 2 * Q + 1);
     for (Index p = -P; p <= P; ++p)
       for (Index q = -Q; q <= Q; ++q) {
         const Range i = partnered(x, p, nx, grid_.periodic.x), j = partnered(y, q, ny, grid_.periodic.y);
         const Index rows = i.length(), columns = j.length(), row = P + i.first, column = Q + j.first;
         out.pairs(P + p, Q + q) = static_cast<double>(rows * columns);
+        if (rows * columns == 0) continue;
         out.squares(P + p, Q + q) =
-            rows * columns == 0
-                ? 0
-                : 0.5 * (squares(row, column, rows, columns) + squares(row + p, column + q, rows, columns));
+            0.5 * (squares(row, column, rows, columns) + squares(row + p, column + q, rows, columns));
       }
   }
 
@@ -199,9 +195,8 @@ class LagWaves::Blocks {
   Shape max_lag_;
   Index along_x_, along_y_;
   bool complete_;
-  Field filled_;
+  Field filled_, valid_;
   const Field& heights_;
-  Field valid_;
   Shape piece_, torus_;
   RealTransform2D transform_;
 };
