@@ -4,7 +4,7 @@ target_compile_options(asperity_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   # GCC 12 reports its own AVX-512 intrinsics as uninitialised and its own std::string as overlapping or out of bounds (GCC
   # bugs 105593, 105651); in a precompiled header it does not treat them as system headers.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>
   -fno-math-errno -fno-trapping-math
   $<$<BOOL:${ASPERITY_WARNINGS_AS_ERRORS}>:-Werror>
   $<$<BOOL:${ASPERITY_NATIVE}>:-march=native>)
