@@ -15,4 +15,7 @@ pkg_check_modules(FFTW3F REQUIRED IMPORTED_TARGET fftw3f>=3.3.10)  # the same in
 pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf>=4.9)
 pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip>=1.7)  # its CMake config needs tools that the package does not install
 pkg_check_modules(LIBMD REQUIRED IMPORTED_TARGET libmd)
+if(ASPERITY_MPI)
+  find_package(MPI REQUIRED COMPONENTS C)
+endif()
 find_package(UDUNITS2 REQUIRED)

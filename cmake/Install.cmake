@@ -1,11 +1,16 @@
-# Rules for `cmake --install`, in four components: the tools, the shared libraries, the development files (headers under
-# include/asperity, CMake package, asperity.pc), and the module of Python.
+# Rules for `cmake --install`, in five components: the tools, the shared libraries, the development files (headers under
+# include/asperity, CMake package, asperity.pc), the module of Python, and that of MPI.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 get_property(tools GLOBAL PROPERTY ASPERITY_TOOLS)
 install(TARGETS ${tools} COMPONENT tools)
 get_property(modules GLOBAL PROPERTY ASPERITY_MODULES)
+if(ASPERITY_MPI)  # in a package of its own
+  list(REMOVE_ITEM modules asperity_mpi)
+  install(TARGETS asperity_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mpi)
+  set_target_properties(asperity_mpi PROPERTIES INSTALL_RPATH $ORIGIN)
+endif()
 if(modules)
   install(TARGETS ${modules} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
 endif()

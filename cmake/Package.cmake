@@ -1,5 +1,5 @@
 # Debian packages by `cpack`: asperity (the tools), libasperity0.1 (named after its SOVERSION, as usual in Debian),
-# libasperity-dev and python3-asperity. dpkg-shlibdeps finds the dependencies of the first three.
+# libasperity-dev, python3-asperity and asperity-mpi. dpkg-shlibdeps finds what they depend on.
 if(NOT BUILD_SHARED_LIBS)
   return()  # the tools and the development package would each contain the library
 endif()
@@ -14,6 +14,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL tools runtime development python)
+if(ASPERITY_MPI)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
+endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -62,6 +65,13 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "random rough surfaces: the tools in Python
 A module whose functions run the tools of asperity. Datasets of xarray pass
 through their pipes in memory.")
+
+set(CPACK_DEBIAN_MPI_PACKAGE_NAME asperity-mpi)
+set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "asperity ${same_version}, openmpi-bin")
+set(CPACK_DEBIAN_MPI_DESCRIPTION "random rough surfaces: one problem on many machines
+With this module asperity-contact solves one problem by several processes
+under mpirun or srun, each of which holds a part of the surface.")
 
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package/documents.cmake)
 include(CPack)

@@ -74,7 +74,7 @@ int press(cli::Tool& tool, cli::ContactOptions& options) {
                                      : cli::Accurate{cli::press(options, scene, influence), {}};
   const cli::Pressed& pressed = accurate.pressed;
   before.tell(tool, scene.data, "pressure");
-  tool.write(scene.data);
+  scene.written([&] { tool.write(scene.data); });
   warn(tool, cli::doubts(scene));
   warn(tool, doubts(scene.grid, options.bodies));
   warn(tool, pressed.doubts);
@@ -118,7 +118,7 @@ class Sweeps {
     cli::ContactScene one = scene;
     cli::record(one, options_, contact, figures);
     if (number == 1) cli::Inventory(scene.data).tell(tool_, one.data, "pressure");
-    tool_.write(one.data, cli::numbered("each", options_.each, number));
+    one.written([&] { tool_.write(one.data, cli::numbered("each", options_.each, number)); });
   }
 
   cli::Tool& tool_;

@@ -1,5 +1,5 @@
-# Functions with which validation/report writes its page. A chapter calls
-#   heading TITLE, text <<END, run PROGRAM [ARGUMENT...], table, picture, shown, claim
+# Functions with which validation/report writes its pages. A chapter calls
+#   heading TITLE, text <<END, run PROGRAM [ARGUMENT...], run_script, table, picture, shown, claim
 # `run` stores the tables of a program as results/PROGRAM-1.tsv, -2.tsv, …; the others refer to them by name. In a
 # condition on rows, an awk expression, `c["name"]` is the number of the column so named: '$c["N"] >= 256'.
 
@@ -12,21 +12,23 @@ build() {
   cmake --build --preset release --target validation asperity_tools >&2
 }
 
-# begin FOLDER: an empty page FOLDER/RESULTS.md.
+# begin FOLDER: an empty page FOLDER/RESULTS.md, with chapters, tables and pictures in FOLDER/results.
 begin() {
   local present
   present=$(conditions)
   mkdir -p "$1/results"
   rm -f "$1"/results/*
-  echo "$present" >"$1/results/conditions.md"
+  echo "$present" >"$1/results/conditions.txt"
   begin_again "$1"
 }
 
 # begin_again FOLDER [PROGRAM...]: the same, with the tables of an earlier run, except those of these programs.
 begin_again() {
-  page=$1/RESULTS.md results=$1/results broken=0 held=0
-  [ $# -eq 1 ] || printf '\nRun again at commit %s: %s.\n' "$(commit)" "${*:2}" >>"$results/conditions.md"
-  cp "$results/conditions.md" "$page"
+  index=$1/RESULTS.md results=$1/results broken=0 held=0
+  [ $# -eq 1 ] || printf '\nRun again at commit %s: %s.\n' "$(commit)" "${*:2}" >>"$results/conditions.txt"
+  rm -f "$results"/*.md
+  printf 'claim\tworst\tbound\tcases\tholds\tchapter\n' >"$results/claims.tsv"
+  : >"$results/chapters.txt"
 }
 
 conditions() {
@@ -53,7 +55,15 @@ versions() {
     sed 's/, $//; s/lib\([a-z0-9]*\)-dev/\1/g; s/\(+dfsg\)\?-[^, ]*//g'
 }
 
-heading() { printf '\n## %s\n' "$1" >>"$page"; }
+# A page of its own for each chapter.
+heading() {
+  local name
+  name=$(basename "$chapter" .sh)
+  name=${name#*-}
+  page=$results/$name.md pictured=
+  printf '# %s\n\nA chapter of the [results](../RESULTS.md).\n' "$1" >"$page"
+  printf '%s\t%s\n' "$name" "$1" >>"$results/chapters.txt"
+}
 text() { { echo; cat; } >>"$page"; }
 
 # wanted PROGRAM: whether to run it, that is, unless --again names other programs only.
@@ -70,6 +80,16 @@ run() {
     { print >file }' "$results/$1.out"
   rm "$results/$1.out"
   echo "$*: $((SECONDS - start)) s" >&2
+}
+
+# run_script NAME COMMAND...: the same of a script that writes tables.
+run_script() {
+  wanted "$1" || return 0
+  local programs=$results
+  printf '#!/bin/sh\nexec %s\n' "${*:2}" >"$results/$1"
+  chmod +x "$results/$1"
+  run "$1"
+  rm "$results/$1"
 }
 
 # rows TABLE [CONDITION]: its header and these rows.
@@ -113,16 +133,46 @@ END
   shown "$1" "$2"
 }
 
-# shown NAME CAPTION: a picture that exists.
-shown() { printf '\n![%s](results/%s.png)\n' "$2" "$1" >>"$page"; }
+# shown NAME CAPTION: a picture that exists. The first of a chapter stands in RESULTS.md too.
+shown() {
+  printf '\n![%s](%s.png)\n' "$2" "$1" >>"$page"
+  [ -z "$pictured" ] || return 0
+  pictured=$1
+  sed -i "\$s|$|\t$1\t$2|" "$results/chapters.txt"
+}
+
+# awk's functions for claims.
+functions='
+  function abs(x) { return x < 0 ? -x : x }
+  function least(a, b) { return a < b ? a : b }'
+
+# tightest TABLE CONDITION EXPRESSION: of the comparisons in the expression, joined by &&, and of the rows, the one that holds by
+# the smallest share of its bound: value, bound, and the number of rows.
+tightest() {
+  local program= clause sign
+  while IFS= read -r clause; do
+    [[ $clause =~ ^(.*)\ (<=|>=|<|>)\ (.*)$ ]] || continue
+    [[ ${BASH_REMATCH[2]} == ">"* ]] && sign=-1 || sign=1
+    program+="{
+      l = (${BASH_REMATCH[1]}); r = (${BASH_REMATCH[3]}); m = $sign * (r - l) / (abs(r) + 1e-300)
+      if (!n++ || m < best) { best = m; value = l; bound = r; op = \"${BASH_REMATCH[2]}\" }
+    }"$'\n'
+  done < <(sed 's/ && /\n/g' <<<"$3")
+  rows "$1" "$2" | awk -F'\t' "$functions"'
+    NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
+    { ++cases }
+    '"$program"'
+    END {
+      sub("<=", "≤", op); sub(">=", "≥", op)
+      if (n) printf "%.2g\t%s %.3g\t%d\n", value, op, bound, cases; else printf "\t\t%d\n", cases
+    }'
+}
 
 # claim SENTENCE TABLE CONDITION EXPRESSION: at least one row meets the condition, and the expression is true in each row that
 # does. It may use abs(x) and least(x, y).
 claim() {
-  local failing
-  failing=$(rows "$2" "$3" | awk -F'\t' '
-    function abs(x) { return x < 0 ? -x : x }
-    function least(a, b) { return a < b ? a : b }
+  local failing holds=yes
+  failing=$(rows "$2" "$3" | awk -F'\t' "$functions"'
     NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
     { ++seen }
     !('"$4"') || /(^|\t)-?nan/ { print }
@@ -133,11 +183,29 @@ claim() {
   else
     printf '\n**Does not hold:** %s\n' "$1" >>"$page"
     printf 'report: does not hold: %s\n%s\n' "$1" "$failing" >&2
-    broken=$((broken + 1))
+    broken=$((broken + 1)) holds=no
   fi
+  printf '%s\t%s\t%s\t%s\n' "$1" "$(tightest "$2" "$3" "$4")" "$holds" "$(basename "$page" .md)" >>"$results/claims.tsv"
 }
 
+# RESULTS.md: all claims in one table, and of each chapter its first picture.
 finish() {
-  echo "$page: $held claims hold, $broken do not; ${SECONDS} s" >&2
+  {
+    cat "$results/conditions.txt"
+    printf '\n## Claims\n\n`worst` is the value nearest to its bound among so many `cases`.\n\n'
+    echo '| claim | worst | bound | cases | chapter |'
+    echo '|---|---|---|---|---|'
+    awk -F'\t' 'NR > 1 {
+      printf "| %s%s | %s | %s | %s | [%s](results/%s.md) |\n", $5 == "yes" ? "" : "**does not hold:** ", $1, $2, $3, $4, $6, $6
+    }' "$results/claims.tsv"
+    printf '\n## What surprised\n\n'
+    cat validation/surprises.md
+    printf '\n## Chapters\n'
+    awk -F'\t' '{
+      printf "\n**[%s](results/%s.md)**\n", $2, $1
+      if ($3) printf "\n![%s](results/%s.png)\n", $4, $3
+    }' "$results/chapters.txt"
+  } >"$index"
+  echo "$index: $held claims hold, $broken do not; ${SECONDS} s" >&2
   [ "$broken" -eq 0 ]
 }

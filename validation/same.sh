@@ -12,6 +12,7 @@ contact_error_time-2 setup_seconds seconds over_operators
 heights_error_time-1 fit solve surface whole
 heights_plane-1 fit_us apply_ns map_ms
 moments_error_time-1 seconds ratio
+ranks_time-1 contact whole ratio MB share
 scaling-1 seconds transforms MB doubles
 scaling-2 exponent time memory largest hours
 scene_time-1 kernel draw contact stress sum share

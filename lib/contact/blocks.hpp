@@ -10,6 +10,7 @@
 
 #include "core/field.hpp"
 #include "core/parallel.hpp"
+#include "core/ranks.hpp"
 
 namespace asperity {
 
@@ -32,20 +33,21 @@ inline int useful_threads(Index cells, int threads) {
   return cells < worth_a_thread ? 1 : threads;
 }
 
-/// Blocks of `cells` cells; how many depends on nothing else.
+/// Blocks of the rows that a rank has: runs of cells within eight rows, whatever the number of ranks.
 class Blocks {
  public:
-  Blocks(Index cells, int threads) : cells_(cells), threads_(useful_threads(cells, threads)) {}
+  Blocks(const Slabs& slabs, Index columns, int threads)
+      : ranks_(slabs.ranks()),
+        cells_(slabs.own().count * columns),
+        group_(rows * columns),
+        threads_(useful_threads(cells_, threads)) {}
 
-  /// visit(block) returns the block's part; the parts are added by +=, in order.
+  /// visit(block) returns the block's part, plain data; the parts are added by +=, in order: those of eight
+  /// rows, then those of all ranks.
   template <class Visit>
   auto sum(Visit visit) const {
-    using Part = decltype(visit(Block{}));
-    std::vector<Part> parts(static_cast<std::size_t>((cells_ + length - 1) / length));
-    parallel_ranges(static_cast<Index>(parts.size()), threads_, [&](Index begin, Index end, int) {
-      for (Index k = begin; k < end; ++k)
-        parts[static_cast<std::size_t>(k)] = visit(Block{k * length, std::min(length, cells_ - k * length)});
-    });
+    auto parts = parts_of(visit);
+    if (ranks_.count() > 1) parts = gathered(ranks_, parts);
     for (std::size_t k = 1; k < parts.size(); ++k) parts.front() += parts[k];
     return parts.front();
   }
@@ -53,16 +55,37 @@ class Blocks {
   /// visit(block), nothing summed.
   template <class Visit>
   void each(Visit visit) const {
-    sum([&](Block block) {
+    parts_of([&](Block block) {
       visit(block);
       return 0;
     });
   }
 
  private:
-  static constexpr Index length = 1024;
+  static constexpr Index length = 1024, rows = 8;
 
-  Index cells_;
+  template <class Visit>
+  auto parts_of(Visit visit) const {
+    using Part = decltype(visit(Block{}));
+    std::vector<Part> parts(size((cells_ + group_ - 1) / group_));
+    parallel_ranges(std::ssize(parts), threads_, [&](Index first, Index last, int) {
+      for (Index k = first; k < last; ++k) {
+        const Index end = std::min((k + 1) * group_, cells_);
+        Index begin = k * group_;
+        auto next = [&] {
+          const Block block{begin, std::min(length, end - begin)};
+          begin = block.begin + block.size;
+          return visit(block);
+        };
+        Part& part = parts[size(k)] = next();
+        while (begin < end) part += next();
+      }
+    });
+    return parts;
+  }
+
+  const Ranks& ranks_;
+  Index cells_, group_;
   int threads_;
 };
 

@@ -42,8 +42,15 @@ double Bodies::curvature_x() const { return 1 / radius[0].x + 1 / radius[1].x; }
 double Bodies::curvature_y() const { return 1 / radius[0].y + 1 / radius[1].y; }
 
 Field undeformed_gap(const Grid& grid, const Bodies& bodies) {
+  return undeformed_gap(grid, bodies, {0, grid.shape.nx});
+}
+
+Field undeformed_gap(const Grid& grid, const Bodies& bodies, Extent rows) {
   const double half_x = bodies.curvature_x() / 2, half_y = bodies.curvature_y() / 2;
-  return sample(grid, [=](double x, double y) { return half_x * x * x + half_y * y * y; });
+  return Field::NullaryExpr(rows.count, grid.shape.ny, [&](Index i, Index j) {
+    const double x = grid.x(rows.first + i), y = grid.y(j);
+    return half_x * x * x + half_y * y * y;
+  });
 }
 
 }  // namespace asperity

@@ -19,6 +19,7 @@
 #include <array>
 #include <limits>
 
+#include "core/extent.hpp"
 #include "core/field.hpp"
 
 namespace asperity {
@@ -47,5 +48,7 @@ struct Bodies {
 
 /// (3) for z₁ = z₂ = 0 at the cell centres: the bodies touch in the middle of the domain.
 Field undeformed_gap(const Grid& grid, const Bodies& bodies);
+/// Some rows of it.
+Field undeformed_gap(const Grid& grid, const Bodies& bodies, Extent rows);
 
 }  // namespace asperity

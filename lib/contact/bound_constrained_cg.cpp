@@ -51,19 +51,32 @@ void refresh(Iteration& x) {
   x.updates = 0;
 }
 
+// Of the load and in the bodies, under pressures up to the largest.
+struct Work {
+  double done = 0, stored = 0, largest = 0;
+  void operator+=(const Work& other) {
+    done += other.done;
+    stored += other.stored;
+    largest = std::max(largest, other.largest);
+  }
+};
+
 // The multiple of the start that has the least energy under a given approach.
 void scale_to_least_energy(Iteration& x) {
   const Field& h = x.problem.h;
-  const double work = ((*x.problem.approach - h) * x.p).sum(), stored = ((x.g - h) * x.p).sum();
-  if (!(work > 0 && stored > 0)) return;
-  const double factor = std::min(work / stored, x.problem.cap / x.p.maxCoeff());
+  const Work of = x.problem.blocks().sum([&](Block b) {
+    const auto p = b.of(std::as_const(x.p)), hb = b.of(h);
+    return Work{((*x.problem.approach - hb) * p).sum(), ((b.of(x.g) - hb) * p).sum(), p.maxCoeff()};
+  });
+  if (!(of.done > 0 && of.stored > 0)) return;
+  const double factor = std::min(of.done / of.stored, x.problem.cap / of.largest);
   x.p = (factor * x.p).min(x.problem.cap);
   x.g = h + factor * (x.g - h);
 }
 
 Iteration first_iterate(ContactProblem& problem, ContactStart start) {
   Iteration x{{std::move(start.p), std::move(start.g)}, problem};
-  if (TwoLevel::suits(shape_of(problem.h))) {
+  if (TwoLevel::suits(problem.shape())) {
     x.two_level = std::make_unique<TwoLevel>(*problem.influence, problem.threads);
     x.relaxation = std::make_unique<Relaxation>(*problem.influence, problem.threads);
   }
@@ -133,8 +146,10 @@ void gradient_step(Iteration& x, GradientSteps& steps) {
   move(x, line.curvature > 0 ? line.lowest() : 1);
   if (!(line.curvature > 0)) return;
   // Barzilai's and Borwein's two steps in turn.
-  steps.alpha =
-      steps.long_step ? x.trial.d.square().sum() / line.curvature : line.curvature / x.trial.q.square().sum();
+  auto squared = [&](const Field& f) {
+    return x.problem.blocks().sum([&](Block b) { return b.of(f).square().sum(); });
+  };
+  steps.alpha = steps.long_step ? squared(x.trial.d) / line.curvature : line.curvature / squared(x.trial.q);
   steps.long_step = !steps.long_step;
 }
 

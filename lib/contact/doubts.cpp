@@ -16,11 +16,14 @@ constexpr Index cells_to_be_trusted = 50, cells_across = 8;
 constexpr double sides = 3;       // of a domain that holds a contact, in semi-axes
 constexpr double enlarged = 1.5;  // what has them already and is too small
 
+using CellStates =
+    Eigen::Map<const Eigen::Array<std::int8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
 // Whether the contact lies at ends of the domain along x and along y where it does not continue.
 struct Touched {
-  Touched(const Field& p, Periodic periodic)
-      : along_x(!periodic.x && ((p.row(0) > 0).any() || (p.row(p.rows() - 1) > 0).any())),
-        along_y(!periodic.y && ((p.col(0) > 0).any() || (p.col(p.cols() - 1) > 0).any())) {}
+  Touched(const CellStates& s, Periodic periodic)
+      : along_x(!periodic.x && ((s.row(0) > 0).any() || (s.row(s.rows() - 1) > 0).any())),
+        along_y(!periodic.y && ((s.col(0) > 0).any() || (s.col(s.cols() - 1) > 0).any())) {}
   bool along_x, along_y;
 };
 
@@ -96,11 +99,12 @@ std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies) {
 
 std::vector<Doubt> doubts(const Grid& grid, const Bodies& bodies, const Contact& contact) {
   std::vector<Doubt> out;
-  const Index cells = (contact.pressure > 0).count(), enough = enough_cells(grid);
+  const CellStates states(contact.state.data(), grid.shape.nx, grid.shape.ny);
+  const Index cells = (states > 0).count(), enough = enough_cells(grid);
   if (cells < enough)
     out.push_back({"has few cells", fmt::format("the contact has {}, fewer than {}: refine the grid",
                                                 counted(cells, "cell"), enough)});
-  const Touched touched(contact.pressure, grid.periodic);
+  const Touched touched(states, grid.periodic);
   if (touched.along_x || touched.along_y)
     out.push_back({"touches the edge of the domain", at_the_edge(grid, bodies, contact, touched)});
   const double modulus = bodies.composite_modulus();

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/field.hpp"
+#include "core/ranks.hpp"
 
 namespace asperity {
 
@@ -15,6 +16,8 @@ class ElasticOperator {
   virtual ~ElasticOperator() = default;
 
   virtual Shape shape() const = 0;
+  /// Its rows, as ranks share them: fields in and out hold this rank's.
+  virtual Slabs slabs() const { return Slabs(shape().nx); }
   /// u = K p: displacement [m] under a pressure [Pa]. `u` is resized, and may be `p`.
   virtual void apply(const Field& p, Field& u) = 0;
   /// K p to single precision where that takes less time: within 1e-6 of the largest |u|. `u` may be `p`.

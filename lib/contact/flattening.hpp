@@ -23,8 +23,9 @@ inline constexpr double hardness = 3;
 /// w of (1) [m], with what loads before have left.
 inline Field plastic_flattening(const Contact& contact) {
   Field out = (-contact.gap).max(0.0);
+  const std::int8_t* state = contact.state.data() + contact.slabs().own().first * out.cols();
   for (Index i = 0; i < out.size(); ++i)
-    if (contact.state[static_cast<std::size_t>(i)] != Contact::plastic) out.data()[i] = 0;
+    if (state[i] != Contact::plastic) out.data()[i] = 0;
   if (contact.flattening.size() > 0) out += contact.flattening;
   return out;
 }

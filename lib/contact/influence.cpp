@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "contact/repeated_cell.hpp"
 #include "core/calibration.hpp"
@@ -45,7 +46,7 @@ double multipoles(double x, double y, double a, double b) {
 }
 
 // The transform of (2) on a torus, K between nearest images.
-Field love_symbol(const Grid& grid, Shape torus, double composite_modulus, int threads) {
+Field love_symbol(const Grid& grid, Shape torus, double composite_modulus, int threads, const Ranks& ranks) {
   const double a = grid.dx / 2, b = grid.dy / 2, scale = 1 / (pi * composite_modulus);
   return even_transfer_function(
       torus,
@@ -53,25 +54,31 @@ Field love_symbol(const Grid& grid, Shape torus, double composite_modulus, int t
         return scale *
                love_integral(static_cast<double>(i) * grid.dx, static_cast<double>(j) * grid.dy, a, b);
       },
-      threads);
+      threads, ranks);
 }
 
 // |q| of (3).
-Field wave_numbers(const Grid& grid) {
-  const double qx = 2 * pi / grid.size_x(), qy = 2 * pi / grid.size_y();
-  return Field::NullaryExpr(grid.shape.nx / 2 + 1, grid.shape.ny / 2 + 1, [=](Index i, Index j) {
-    return std::hypot(qx * static_cast<double>(i), qy * static_cast<double>(j));
-  });
+double wave_number(const Grid& grid, Index i, Index j) {
+  constexpr double turn = 2 * pi;
+  return std::hypot(turn / grid.size_x() * static_cast<double>(i),
+                    turn / grid.size_y() * static_cast<double>(j));
+}
+
+// The same at some ky.
+Field wave_numbers(const Grid& grid, Extent columns) {
+  return Field::NullaryExpr(grid.shape.nx / 2 + 1, columns.count,
+                            [&](Index i, Index j) { return wave_number(grid, i, columns.first + j); });
 }
 
 // The mean of 1/|q| over the torus, 0 at q = 0: the displacement of a cell under itself.
-double mean_inverse(const Field& q, Shape torus) {
+double mean_inverse(const Grid& grid) {
+  const auto [nx, ny] = grid.shape;
   auto images = [](Index k, Index n) { return k == 0 || 2 * k == n ? 1.0 : 2.0; };
   double sum = 0;
-  for (Index i = 0; i < q.rows(); ++i)
-    for (Index j = 0; j < q.cols(); ++j)
-      if (q(i, j) > 0) sum += images(i, torus.nx) * images(j, torus.ny) / q(i, j);
-  return sum / static_cast<double>(torus.cells());
+  for (Index i = 0; i <= nx / 2; ++i)
+    for (Index j = 0; j <= ny / 2; ++j)
+      if (i + j > 0) sum += images(i, nx) * images(j, ny) / wave_number(grid, i, j);
+  return sum / static_cast<double>(grid.shape.cells());
 }
 
 // Coefficients of (3), along the periodic axis and across, for distances of up to rows - 1 cells.
@@ -82,16 +89,17 @@ RepeatedCell repeated_cell(const Grid& grid, Index rows, double datum, int threa
 }
 
 // The transform of (3) on a torus, K between nearest images across.
-Field repeated_symbol(const Grid& grid, Shape torus, double datum, double composite_modulus, int threads) {
+Field repeated_symbol(const Grid& grid, Shape torus, double datum, double composite_modulus, int threads,
+                      const Ranks& ranks) {
   const bool in_x = grid.periodic.x;
   const RepeatedCell cell = repeated_cell(grid, (in_x ? torus.ny : torus.nx) / 2 + 1, datum, threads);
   const double scale = 1 / (pi * composite_modulus);
   return even_transfer_function(
-      torus, [&](Index i, Index j) { return scale * (in_x ? cell(i, j) : cell(j, i)); }, threads);
+      torus, [&](Index i, Index j) { return scale * (in_x ? cell(i, j) : cell(j, i)); }, threads, ranks);
 }
 
 double self_influence_of(const Grid& grid, double datum, double modulus) {
-  if (grid.periodic.both()) return 2 / modulus * mean_inverse(wave_numbers(grid), grid.shape);
+  if (grid.periodic.both()) return 2 / modulus * mean_inverse(grid);
   const double integral = grid.periodic.any() ? repeated_cell(grid, 1, datum, 1)(0, 0)
                                               : love_integral(0, 0, grid.dx / 2, grid.dy / 2);
   return integral / (pi * modulus);
@@ -99,8 +107,10 @@ double self_influence_of(const Grid& grid, double datum, double modulus) {
 
 class HalfSpace final : public ElasticOperator {
  public:
-  HalfSpace(const Grid& grid, double datum, double modulus, int threads, WorkSpace work)
+  HalfSpace(const Grid& grid, double datum, double modulus, int threads, WorkSpace work, const Ranks& ranks)
       : grid_(grid),
+        ranks_(ranks),
+        slabs_(shared_rows(grid.shape, ranks)),
         datum_(datum),
         modulus_(modulus),
         self_(self_influence_of(grid, datum, modulus)),
@@ -108,6 +118,7 @@ class HalfSpace final : public ElasticOperator {
         work_(std::move(work)) {}
 
   Shape shape() const override { return grid_.shape; }
+  Slabs slabs() const override { return slabs_; }
   void apply(const Field& p, Field& u) override { made(influence_, &HalfSpace::influence).apply(p, u); }
   void apply_single(const Field& p, Field& u) override {
     if (!is_large()) return apply(p, u);
@@ -136,7 +147,7 @@ class HalfSpace final : public ElasticOperator {
     const double wide = static_cast<double>(factor);
     const Grid coarse{
         {covering(shape().nx), covering(shape().ny)}, wide * grid_.dx, wide * grid_.dy, grid_.periodic};
-    return std::make_unique<HalfSpace>(coarse, datum_, modulus_, threads_, work_);
+    return std::make_unique<HalfSpace>(coarse, datum_, modulus_, threads_, work_, ranks_);
   }
 
   void forget_windows() override { asked_ = false; }
@@ -161,7 +172,7 @@ class HalfSpace final : public ElasticOperator {
     if (goes_on || (window_ && window_->shape() == window.shape)) return window_;
     asked_ = true;
     setup_ = setup_seconds();
-    return window_ = std::make_shared<HalfSpace>(window, datum_, modulus_, threads_, work_);
+    return window_ = std::make_shared<HalfSpace>(window, datum_, modulus_, threads_, work_, ranks_);
   }
 
  private:
@@ -179,8 +190,8 @@ class HalfSpace final : public ElasticOperator {
   }
 
   Field symbol(Shape torus) const {
-    return grid_.periodic.any() ? repeated_symbol(grid_, torus, datum_, modulus_, threads_)
-                                : love_symbol(grid_, torus, modulus_, threads_);
+    return grid_.periodic.any() ? repeated_symbol(grid_, torus, datum_, modulus_, threads_, slabs_.ranks())
+                                : love_symbol(grid_, torus, modulus_, threads_, slabs_.ranks());
   }
 
   template <class Real>
@@ -195,12 +206,13 @@ class HalfSpace final : public ElasticOperator {
 
   template <class Real>
   Convolution<Real> convolution(Shape torus, const Field& symbol) const {
-    return std::make_unique<BasicEvenConvolution<Real>>(shape(), torus, symbol, threads_, work_);
+    return std::make_unique<BasicEvenConvolution<Real>>(shape(), torus, symbol, threads_, work_,
+                                                        slabs_.ranks());
   }
 
   Convolution<double> influence() {
     if (grid_.periodic.both()) {
-      const Field q = wave_numbers(grid_);
+      const Field q = wave_numbers(grid_, symbol_columns(shape(), slabs_.ranks()));
       return convolution<double>(shape(), (q > 0).select(2 / (modulus_ * q), 0));
     }
     const Shape torus = torus_for(shape());
@@ -215,13 +227,17 @@ class HalfSpace final : public ElasticOperator {
   // Love's symbol is positive, above half of K₀₀ on square cells; the bound keeps M definite on any others.
   template <class Real>
   Convolution<Real> inverse() {
-    if (grid_.periodic.both()) return convolution<Real>(shape(), modulus_ / 2 * wave_numbers(grid_));
+    if (grid_.periodic.both())
+      return convolution<Real>(shape(),
+                               modulus_ / 2 * wave_numbers(grid_, symbol_columns(shape(), slabs_.ranks())));
     const Shape torus{grid_.periodic.x ? shape().nx : fast_length(shape().nx, 2),
                       grid_.periodic.y ? shape().ny : fast_length(shape().ny, 2)};
     return convolution<Real>(torus, symbol(torus).max(1e-3 * self_).inverse());
   }
 
   Grid grid_;
+  const Ranks& ranks_;  ///< for coarser grids and windows too
+  Slabs slabs_;
   double datum_, modulus_, self_;
   int threads_;
   WorkSpace work_;
@@ -243,13 +259,20 @@ double love_integral(double x, double y, double a, double b) {
   return r < 160 ? gauss_rule(gauss3, x, y, a, b) : multipoles(x, y, a, b);
 }
 
+Slabs shared_rows(Shape shape, const Ranks& ranks) {
+  const bool worth =
+      shape.cells() > calibration::contact::own_cells && shape.nx >= Slabs::run * ranks.count();
+  return worth ? Slabs(shape.nx, ranks) : Slabs(shape.nx);
+}
+
 double displacement_datum(const Grid& grid) {
   return grid.periodic.one() ? (grid.periodic.x ? grid.size_y() : grid.size_x()) / 2 : 0;
 }
 
-std::unique_ptr<ElasticOperator> make_influence(const Grid& grid, double composite_modulus, int threads) {
+std::unique_ptr<ElasticOperator> make_influence(const Grid& grid, double composite_modulus, int threads,
+                                                const Ranks& ranks) {
   return std::make_unique<HalfSpace>(grid, displacement_datum(grid), composite_modulus, threads,
-                                     std::make_shared<WorkSpace::element_type>());
+                                     std::make_shared<WorkSpace::element_type>(), ranks);
 }
 
 }  // namespace asperity

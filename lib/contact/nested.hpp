@@ -16,7 +16,7 @@ struct CoarseLevel {
 
 /// Under the same load or approach, from the second finest grid on: sides are even, no half below 32.
 std::vector<CoarseLevel> coarser_levels(const ContactProblem& problem);
-/// Pressures on the grid twice as fine; `periodic` tells what lies beyond the edge.
-Field prolonged(const Field& coarse, Periodic periodic, int threads);
+/// Pressures on the grid twice as fine, dealt as `to`; `periodic` tells what lies beyond the edge.
+Field prolonged(const Field& coarse, const Slabs& from, const Slabs& to, Periodic periodic, int threads);
 
 }  // namespace asperity

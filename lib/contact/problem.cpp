@@ -102,7 +102,7 @@ ContactResidual contact_residual(const ContactProblem& problem, const Field& p, 
   ContactResidual out;
   out.approach = problem.approach ? *problem.approach : found.approach();
   out.scale = std::max(found.highest - found.lowest,
-                       problem.self_influence * found.sum / static_cast<double>(p.size()));
+                       problem.self_influence * found.sum / static_cast<double>(problem.shape().cells()));
   out.sum = found.sum;
   out.max_pressure = found.max_pressure;
   out.free = static_cast<Index>(found.free);

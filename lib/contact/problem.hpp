@@ -52,7 +52,10 @@ struct ContactProblem {
   ContactProblem on(ElasticOperator& cells, Field gap) const {
     return {&cells, std::move(gap), sum, cap, self_influence, approach, threads, datum};
   }
-  Blocks blocks() const { return {h.size(), threads}; }
+  Shape shape() const { return influence->shape(); }
+  Slabs slabs() const { return influence->slabs(); }
+  /// Over the rows of this rank; sums over all.
+  Blocks blocks() const { return {slabs(), shape().ny, threads}; }
   bool capped() const { return cap < std::numeric_limits<double>::infinity(); }
   bool is_free(double p) const { return p > 0 && p < cap; }
 };

@@ -1,6 +1,8 @@
 #include "contact/projection.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -27,9 +29,20 @@ Eigen::Array3d shares(const ContactProblem& problem, const Field& p, double shif
   });
 }
 
+struct Range {
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  void operator+=(const Range& other) {
+    least = std::min(least, other.least);
+    largest = std::max(largest, other.largest);
+  }
+};
+
 double shift_to_load(const ContactProblem& problem, const Field& p) {
-  const double mean = problem.sum / static_cast<double>(p.size());
-  double low = -p.maxCoeff(), high = mean - p.minCoeff(), shift = std::min(0.0, high);
+  const double mean = problem.sum / static_cast<double>(problem.shape().cells());
+  const Range range = problem.blocks().sum([&](Block b) {
+    return Range{b.of(p).minCoeff(), b.of(p).maxCoeff()};
+  });
+  double low = -range.largest, high = mean - range.least, shift = std::min(0.0, high);
   for (int i = 0; i < 200; ++i) {
     if (!(shift > low && shift < high)) shift = (low + high) / 2;
     const Eigen::Array3d share = shares(problem, p, shift);
@@ -51,7 +64,7 @@ bool rescale_uncapped(const ContactProblem& problem, Field& p) {
 }
 
 bool rescale_capped(const ContactProblem& problem, Field& p) {
-  if (problem.sum >= (1 - saturation) * problem.cap * static_cast<double>(p.size())) {
+  if (problem.sum >= (1 - saturation) * problem.cap * static_cast<double>(problem.shape().cells())) {
     p.setConstant(problem.cap);
     return true;
   }

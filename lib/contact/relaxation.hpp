@@ -11,9 +11,9 @@
 /// in sweeps forth and back. E never rises. It is a model: whether the energy falls is for the caller to see.
 ///
 /// Rows are swept forth and back in strips of 64, all even strips before the odd ones: strips of a kind do
-/// not reach each other and may run on several threads, and a strip stays in the cache. In a row every eighth
-/// cell comes first, then the cells beside these, and so on: those that are eight apart neither reach each
-/// other nor share a block, and are relaxed in vector lanes.
+/// not reach each other and may run on several threads or ranks, and a strip stays in the cache. In a row
+/// every eighth cell comes first, then the cells beside these, and so on: those that are eight apart
+/// neither reach each other nor share a block, and are relaxed in vector lanes.
 ///
 /// Cost    25 operations a cell and sweep; four sweeps take 0.5 to 0.8 of a padded K.
 /// Memory  a field for d.
@@ -40,7 +40,9 @@ class Relaxation {
 
  private:
   struct Sweeps;
+  void fetch_rows_beside();
 
+  Slabs slabs_;
   std::array<std::array<double, reach + 1>, reach + 1> near_;  ///< K_t [m/Pa]
   double held_;                                                ///< β [m/Pa]
   int threads_;

@@ -21,8 +21,21 @@ namespace {
 
 using namespace calibration::contact;
 
-void check_approach(const Grid& grid, const Field& gap, const ContactParameters& parameters) {
-  const double approach = *parameters.approach, touch = gap.minCoeff(), mean = gap.mean();
+struct Gaps {
+  double least = std::numeric_limits<double>::infinity(), sum = 0;
+  void operator+=(const Gaps& other) {
+    least = std::min(least, other.least);
+    sum += other.sum;
+  }
+};
+
+void check_approach(const Grid& grid, const Field& gap, const ContactProblem& problem,
+                    const ContactParameters& parameters) {
+  const Gaps gaps = problem.blocks().sum([&](Block b) {
+    return Gaps{b.of(gap).minCoeff(), b.of(gap).sum()};
+  });
+  const double approach = *parameters.approach, touch = gaps.least,
+               mean = gaps.sum / static_cast<double>(grid.shape.cells());
   if (!(approach > touch))
     throw ParameterError(
         "approach",
@@ -34,26 +47,34 @@ void check_approach(const Grid& grid, const Field& gap, const ContactParameters&
                     approach, mean));
 }
 
+// Of the rows that this rank has.
+void check_field(const char* name, const Field& f, const char* what, const Grid& grid,
+                 const ElasticOperator& influence) {
+  const Slabs slabs = influence.slabs();
+  if (!(shape_of(f) == Shape{slabs.own().count, grid.shape.ny}))
+    throw DataError(name, fmt::format("{}, the grid and the operator differ in shape", what));
+  if (largest(slabs.ranks(), f.isFinite().all() ? 0 : 1) > 0)
+    throw DataError(name, fmt::format("{} holds values that are not finite", what));
+}
+
 ContactProblem make_problem(const Grid& grid, Field gap, ElasticOperator& influence,
                             const ContactParameters& parameters) {
-  if (!(shape_of(gap) == grid.shape && influence.shape() == grid.shape))
-    throw DataError("heights", "the field, the grid and the operator differ in shape");
-  if (!gap.isFinite().all()) throw DataError("heights", "holds values that are not finite");
-  if (parameters.approach)
-    check_approach(grid, gap, parameters);
-  else
-    check_carried("load", parameters.load, grid, parameters.limit_pressure);
-  const Field& start = parameters.start;
-  if (start.size() > 0 && shape_of(start) != grid.shape)
-    throw DataError("pressure", "the start and the grid differ in shape");
-  if (!start.isFinite().all()) throw DataError("pressure", "the start holds values that are not finite");
+  if (!(influence.shape() == grid.shape))
+    throw DataError("heights", "the grid and the operator differ in shape");
+  check_field("heights", gap, "the field", grid, influence);
+  if (parameters.start.size() > 0) check_field("pressure", parameters.start, "the start", grid, influence);
   ContactProblem problem{&influence,
-                         std::move(gap),
+                         {},
                          parameters.load / grid.cell_area(),
                          parameters.limit_pressure,
                          influence.self_influence(),
                          parameters.approach,
                          parameters.threads};
+  if (parameters.approach)
+    check_approach(grid, gap, problem, parameters);
+  else
+    check_carried("load", parameters.load, grid, parameters.limit_pressure);
+  problem.h = std::move(gap);
   if (parameters.approach) problem.shift(*parameters.approach);
   return problem;
 }
@@ -97,8 +118,8 @@ void set_fields(Contact& contact, const Grid& grid, ContactProblem& problem, Win
   contact.pressure = std::move(solved.p);
   contact.gap = std::move(solved.g);
   contact.displacement = std::move(problem.h);  // of g = h + K p, until the pass
-  contact.state.resize(static_cast<std::size_t>(grid.shape.cells()));
-  const Eigen::Array3d sums = Blocks(grid.shape.cells(), problem.threads).sum([&](Block b) {
+  contact.state.resize(size(contact.pressure.size()));
+  const Eigen::Array3d sums = problem.blocks().sum([&](Block b) {
     const auto p = b.of(std::as_const(contact.pressure));
     auto g = b.of(contact.gap), u = b.of(contact.displacement);
     u = g - u;
@@ -109,6 +130,10 @@ void set_fields(Contact& contact, const Grid& grid, ContactProblem& problem, Win
     return Eigen::Array3d(p.sum(), g.max(0.0).sum(), u.sum());
   });
   if (!sums.isFinite().all()) refuse_range(parameters);
+  if (const Slabs slabs = problem.slabs(); slabs.shared()) {
+    contact.shared = slabs;
+    contact.state = gathered(slabs.ranks(), contact.state);
+  }
   contact.load = sums[0] * grid.cell_area();
   contact.load_residual = problem.approach ? 0 : std::abs(sums[0] / problem.sum - 1);
   contact.mean_gap = sums[1] / static_cast<double>(grid.shape.cells());
@@ -139,8 +164,9 @@ double share_of(Shape part, const Grid& grid) {
 void add_stiffness(Contact& contact, const Grid& grid, ElasticOperator& influence, const WindowBody& body,
                    const ContactParameters& parameters) {
   const double share = share_of(body.window.shape(), grid);
+  ElasticOperator& on_window = body.influence ? *body.influence : influence;
   const Stiffness found = contact_stiffness(
-      body.influence ? *body.influence : influence, body.window.of(contact.pressure),
+      on_window, body.window.of(contact.pressure, influence.slabs(), on_window.slabs()),
       parameters.limit_pressure, grid.cell_area(), parameters.max_convolutions / share, parameters.threads);
   contact.stiffness = found.value;
   contact.stiffness_residual = found.residual;
@@ -149,11 +175,11 @@ void add_stiffness(Contact& contact, const Grid& grid, ElasticOperator& influenc
 
 Field flat_start(const ContactProblem& problem) {
   return Field::Constant(problem.h.rows(), problem.h.cols(),
-                         problem.sum / static_cast<double>(problem.h.size()));
+                         problem.sum / static_cast<double>(problem.shape().cells()));
 }
 
 // From the coarsest grid to the second finest, each starting from the solution before it.
-Field nested_start(Contact& contact, const Grid& grid, std::vector<CoarseLevel> levels,
+Field nested_start(Contact& contact, const Grid& grid, std::vector<CoarseLevel> levels, const Slabs& finest,
                    const ContactParameters& parameters) {
   const WindowedLimits limits{std::max(coarse_tolerance, parameters.tolerance), coarse_convolutions, false};
   Field start = flat_start(levels.back().problem);
@@ -163,7 +189,8 @@ Field nested_start(Contact& contact, const Grid& grid, std::vector<CoarseLevel> 
     const WindowedSolution solved =
         minimise_on_window(problem, std::move(start), near, limits, observer(grid, shape, parameters));
     count(contact, solved.convolutions, solved.preconditionings, share_of(shape, grid));
-    start = prolonged(solved.p, grid.periodic, parameters.threads);
+    const Slabs finer = levels.size() > 1 ? levels.end()[-2].body->slabs() : finest;
+    start = prolonged(solved.p, body->slabs(), finer, grid.periodic, parameters.threads);
     contact.setup_seconds += body->setup_seconds();
   }
   return start;
@@ -175,9 +202,10 @@ void solve(Contact& contact, const Grid& grid, ContactProblem problem, const Con
   if (parameters.nested_start && !warm) levels = coarser_levels(problem);
   contact.levels = 1 + static_cast<int>(levels.size());
   const bool near = warm || !levels.empty();
-  Field start = warm             ? parameters.start
-                : levels.empty() ? flat_start(problem)
-                                 : nested_start(contact, grid, std::move(levels), parameters);
+  Field start = warm ? parameters.start
+                : levels.empty()
+                    ? flat_start(problem)
+                    : nested_start(contact, grid, std::move(levels), problem.slabs(), parameters);
 
   const WindowedLimits limits{parameters.tolerance, static_cast<double>(parameters.max_convolutions), true,
                               warm ? warm_margin_part : margin_part};

@@ -70,9 +70,11 @@ struct Contact {
   Field pressure;                  ///< p [Pa]
   Field displacement;              ///< K p [m], into the bodies
   Field gap;                       ///< [m]; negative where flattened
-  std::vector<std::int8_t> state;  ///< State of each cell
+  std::vector<std::int8_t> state;  ///< State of each cell of the grid
   Field flattening;  ///< that a greater load has left before, in h [m] (contact/sweep.hpp); or empty
-  double flattening_load = 0;  ///< that load [N]
+  double flattening_load = 0;        ///< that load [N]
+  std::optional<Slabs> shared = {};  ///< by ranks, of whose rows the fields are; figures are of all
+  Slabs slabs() const { return shared.value_or(Slabs(pressure.rows())); }
 
   double load = 0;          ///< Σ p ΔxΔy [N]
   double approach = 0;      ///< δ [m]

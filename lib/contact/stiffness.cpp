@@ -11,10 +11,10 @@ namespace {
 constexpr double no_answer = 1e-9;  // of K₀₀: round-off of K 1 = 0
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool answers_constant(ElasticOperator& body, Shape shape) {
-  Field u = Field::Ones(shape.nx, shape.ny);
+bool answers_constant(ElasticOperator& body, Shape own) {
+  Field u = Field::Ones(own.nx, own.ny);
   body.apply(u, u);
-  return u.abs().maxCoeff() > no_answer * body.self_influence();
+  return largest(body.slabs().ranks(), u.abs().maxCoeff()) > no_answer * body.self_influence();
 }
 
 // Where it pays.
@@ -36,7 +36,7 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
   const Field& none = problem.h;
   const FreeSet free(problem, pressure, none, 0);  // C: no gap drives a cell off its bound
   if (free.cells == 0) return {.value = 0, .residual = 0};
-  const bool full = free.cells == static_cast<double>(pressure.size());
+  const bool full = free.cells == static_cast<double>(body.shape().cells());
   const int asked = full ? 1 : 0;
   if (full && !answers_constant(body, shape_of(pressure)))
     return {.value = infinity, .residual = 0, .convolutions = static_cast<double>(asked)};

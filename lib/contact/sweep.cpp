@@ -26,11 +26,11 @@ void check_loads(std::span<const double> loads, const Grid& grid, double limit_p
 // (3), from one solution or from two; before the first it is empty.
 class Prediction {
  public:
-  Field at(double load) const {
+  Field at(double load, const Ranks& ranks) const {
     if (before_.size() == 0) return last_ * (load / last_load_);
     const double ahead = (load - last_load_) / (last_load_ - load_before_);
     Field out = (last_ + ahead * (last_ - before_)).max(0.0);
-    if (!(out.maxCoeff() > 0)) out = last_ * (load / last_load_);  // a fall by far
+    if (!(largest(ranks, out.maxCoeff()) > 0)) out = last_ * (load / last_load_);  // a fall by far
     return out;
   }
   void learn(double load, const Field& pressure) {
@@ -80,7 +80,7 @@ void solve_load_sequence(const Grid& grid, const Field& undeformed_gap, ElasticO
   Prediction prediction;
   Flattened flattened(undeformed_gap);
   for (double load : loads) {
-    parameters.start = prediction.at(load);
+    parameters.start = prediction.at(load, influence.slabs().ranks());
     parameters.load = load;
     const Contact contact = flattened.press(grid, influence, parameters);
     flattened.learn(contact, parameters);

@@ -30,11 +30,22 @@ Row eightfold(const Row& values) {
 TwoLevel::TwoLevel(ElasticOperator& body, int threads, BlockEnd end)
     : body_(body),
       coarse_(body.coarsened(b)),
-      shape_(body.shape()),
+      shape_{body.slabs().own().count, body.shape().ny},
       threads_(useful_threads(shape_.cells(), threads)),
-      end_(end) {
-  const Shape blocks = coarse_->shape();
-  for (Field* field : {&inverse_, &y_}) field->resize(blocks.nx, blocks.ny);
+      end_(end) {}
+
+Field TwoLevel::to_coarse(Field here) const {
+  const Slabs slabs = body_.slabs();
+  return slabs.shared() ? rows_of(here, slabs.coarsened(b), coarse_->slabs().own()) : here;
+}
+
+Field TwoLevel::from_coarse(const Field& coarse) const {
+  const Slabs slabs = body_.slabs();
+  if (!slabs.shared()) return coarse;
+  const Extent here = slabs.coarsened(b).own();
+  const Slabs of_coarse = coarse_->slabs();
+  return of_coarse.shared() ? rows_of(coarse, of_coarse, here)
+                            : Field(coarse.middleRows(here.first, here.count));
 }
 
 // visit(I, first, last) of every row of blocks and its rows of cells.
@@ -48,18 +59,20 @@ void TwoLevel::each_block_row(Visit visit) const {
 void TwoLevel::set(const std::vector<std::int8_t>& mask) {
   mask_ = mask.data();
   applications_ = 0;
-  Field& n = inverse_;
+  Field here(blocks_along(shape_.nx), blocks_along(shape_.ny));
   each_block_row([&](Index I, Index first, Index last) {
-    Row counts = Row::Zero(b * n.cols());
+    Row counts = Row::Zero(b * here.cols());
     for (Index i = first; i < last; ++i)
       for (Index j = 0; j < shape_.ny; ++j) counts[j] += mask_[i * shape_.ny + j];
-    n.row(I) = sums_of_eight(counts).transpose();
+    here.row(I) = sums_of_eight(counts).transpose();
   });
   constexpr double side_cells = b, block = b * b;
-  const Field met = (n > 0).cast<double>();
-  const double disc = 8 * std::sqrt(met.sum() / std::numbers::pi);
-  raggedness_ = disc > 0 ? static_cast<double>((n > 0 && n < block).count()) / disc : 0;
-  inverse_ = met / n.max(1.0);
+  auto inverses = [](const Field& counts) -> Field { return (counts > 0).cast<double>() / counts.max(1.0); };
+  inverse_here_ = inverses(here);
+  const Field n = to_coarse(std::move(here)), met = (n > 0).cast<double>();
+  const double disc = 8 * std::sqrt(sum(met) / std::numbers::pi);
+  raggedness_ = disc > 0 ? sum((n > 0 && n < block).cast<double>()) / disc : 0;
+  inverse_ = inverses(n);
   const double k = coarse_->self_influence();
   stiffer_ =
       met * (block * body_.self_influence() * (inverse_ + (1 - inverse_) / (side_cells + 1) - 1 / side_cells))
@@ -69,7 +82,8 @@ void TwoLevel::set(const std::vector<std::int8_t>& mask) {
 }
 
 double TwoLevel::coarse_applications() const {
-  return applications_ * static_cast<double>(inverse_.size()) / static_cast<double>(shape_.cells());
+  return applications_ * static_cast<double>(coarse_->shape().cells()) /
+         static_cast<double>(body_.shape().cells());
 }
 
 void TwoLevel::apply(const Field& r, Field& z) {
@@ -82,11 +96,12 @@ void TwoLevel::apply(const Field& r, Field& z) {
 // y = N⁻¹ Zᵀ r and z = r - Z y.
 void TwoLevel::remove_means(const Field& r, Field& z) {
   z.resize(r.rows(), r.cols());
+  Field here(inverse_here_.rows(), inverse_here_.cols());
   each_block_row([&](Index I, Index first, Index last) {
-    Row sums = Row::Zero(b * y_.cols());
+    Row sums = Row::Zero(b * here.cols());
     for (Index i = first; i < last; ++i) sums.head(r.cols()) += r.row(i).transpose();
-    y_.row(I) = inverse_.row(I) * sums_of_eight(sums).transpose();
-    const Row means = eightfold(y_.row(I).transpose());
+    here.row(I) = inverse_here_.row(I) * sums_of_eight(sums).transpose();
+    const Row means = eightfold(here.row(I).transpose());
     for (Index i = first; i < last; ++i) {
       const std::int8_t* in_set = mask_ + i * r.cols();
       const double *from = &r(i, 0), *mean = means.data();
@@ -95,12 +110,13 @@ void TwoLevel::remove_means(const Field& r, Field& z) {
       for (Index j = 0; j < r.cols(); ++j) to[j] = from[j] - in_set[j] * mean[j];
     }
   });
+  y_ = to_coarse(std::move(here));
 }
 
 // z = Π z + b² Z N⁻¹ x: x is a pressure of blocks.
 void TwoLevel::add_blocks(Field& z) const {
   each_block_row([&](Index I, Index first, Index last) {
-    Row sums = Row::Zero(b * y_.cols());
+    Row sums = Row::Zero(b * x_here_.cols());
     for (Index i = first; i < last; ++i) {
       const std::int8_t* in_set = mask_ + i * z.cols();
       const double* from = &z(i, 0);
@@ -108,8 +124,8 @@ void TwoLevel::add_blocks(Field& z) const {
 #pragma omp simd
       for (Index j = 0; j < z.cols(); ++j) sum[j] += in_set[j] * from[j];
     }
-    const Row blocks = static_cast<double>(b * b) * x_.row(I).transpose() - sums_of_eight(sums);
-    const Row lifts = eightfold(blocks * inverse_.row(I).transpose());
+    const Row blocks = static_cast<double>(b * b) * x_here_.row(I).transpose() - sums_of_eight(sums);
+    const Row lifts = eightfold(blocks * inverse_here_.row(I).transpose());
     for (Index i = first; i < last; ++i) {
       const std::int8_t* in_set = mask_ + i * z.cols();
       const double* lift = lifts.data();
@@ -131,21 +147,22 @@ void TwoLevel::solve() {
   const Field met = (inverse_ > 0).cast<double>();
   x_ = Field::Zero(y_.rows(), y_.cols());
   Field r = y_, d = x_, q;
-  const double goal = end_.tolerance * end_.tolerance * y_.square().sum();
+  const double goal = end_.tolerance * end_.tolerance * sum(y_.square());
   double zr_old = 1;
-  for (int i = 0; i < end_.steps && r.square().sum() > goal; ++i) {
+  for (int i = 0; i < end_.steps && sum(r.square()) > goal; ++i) {
     const Field z = precondition(r);
-    const double zr = (z * r).sum();
+    const double zr = sum(z * r);
     d = z + (i > 0 ? zr / zr_old : 0) * d;
     zr_old = zr;
     coarse_->apply(d, q);
     q = met * (q + stiffer_ * d);
     ++applications_;
-    const double a = zr / (d * q).sum();
+    const double a = zr / sum(d * q);
     if (!(a > 0)) break;
     x_ += a * d;
     r -= a * q;
   }
+  x_here_ = from_coarse(x_);
 }
 
 }  // namespace asperity

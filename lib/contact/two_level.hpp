@@ -26,6 +26,7 @@
 #include <memory>
 #include <vector>
 
+#include "contact/blocks.hpp"
 #include "contact/elastic_operator.hpp"
 #include "core/calibration.hpp"
 
@@ -62,6 +63,13 @@ class TwoLevel {
  private:
   template <class Visit>
   void each_block_row(Visit visit) const;
+  Blocks blocks() const { return {coarse_->slabs(), coarse_->shape().ny, 1}; }
+  double sum(const Field& f) const {
+    return blocks().sum([&](Block b) { return b.of(f).sum(); });
+  }
+  // From the rows of blocks of this rank's cells to those that it has of K_c, and back.
+  Field to_coarse(Field here) const;
+  Field from_coarse(const Field& coarse) const;
   void remove_means(const Field& r, Field& z);
   void solve();
   void add_blocks(Field& z) const;
@@ -70,13 +78,14 @@ class TwoLevel {
   ElasticOperator& body_;
   std::unique_ptr<ElasticOperator> coarse_;
   const std::int8_t* mask_ = nullptr;
-  Shape shape_;
+  Shape shape_;  ///< of the cells here
   int threads_, applications_ = 0;
   BlockEnd end_;
   double raggedness_ = 0;
-  Field inverse_, stiffer_;  ///< 1/n, or 0 where n is; D
+  Field inverse_here_;       ///< 1/n, or 0 where n is, of the cells here
+  Field inverse_, stiffer_;  ///< the same for K_c; D
   Field scale_, rest_;       ///< s and D/(k+D)², 0 where n is
-  Field y_, x_;              ///< block means of r; (K_c + D)⁻¹ of them
+  Field y_, x_, x_here_;     ///< block means of r; (K_c + D)⁻¹ of them
 };
 
 }  // namespace asperity

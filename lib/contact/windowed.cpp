@@ -1,28 +1,55 @@
 #include "contact/windowed.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "contact/projection.hpp"
 
 namespace asperity {
+
+Field ContactWindow::of(const Field& f, const Slabs& field, const Slabs& part) const {
+  const Extent wanted{x.first + part.own().first, part.own().count};
+  const auto columns = f.middleCols(y.first, y.count);
+  return field.shared() ? rows_of(columns, field, wanted)
+                        : Field(columns.middleRows(wanted.first, wanted.count));
+}
+
+void ContactWindow::put(const Field& values, const Slabs& part, Field& f, const Slabs& field) const {
+  const Extent own = field.own();
+  const Index first = std::max(own.first, x.first),
+              count = std::max<Index>(0, std::min(own.end(), x.end()) - first);
+  f.block(count > 0 ? first - own.first : 0, y.first, count, y.count) =
+      rows_of(values, part, Extent{first - x.first, count});
+}
+
+ContactWindow least_of_all(const Ranks& ranks, const ContactWindow& own) {
+  ContactWindow out;
+  for (const ContactWindow& one : gathered(ranks, std::vector{own})) out = united(out, one);
+  return out;
+}
+
 namespace {
 
 using namespace calibration::contact;
 
-double share_of(Index cells, const ContactProblem& problem) {
-  return static_cast<double>(cells) / static_cast<double>(problem.h.size());
+double share_of(Shape part, const ContactProblem& problem) {
+  return static_cast<double>(part.cells()) / static_cast<double>(problem.shape().cells());
 }
 
 // Under a given approach, where nothing is pushed back, the contact of the undeformed bodies.
 Field pushed_back(const ContactProblem& problem, Field p) {
   p = p.max(0.0);
-  if (!problem.approach || ((*problem.approach - problem.h) * p).sum() > 0) return p;
+  if (!problem.approach) return p;
+  const double work = problem.blocks().sum(
+      [&](Block b) { return ((*problem.approach - b.of(problem.h)) * b.of(std::as_const(p))).sum(); });
+  if (work > 0) return p;
   return ((*problem.approach - problem.h) / problem.self_influence).max(0.0);
 }
 
 // The least window of a contact that is worth a body of its own, else the whole.
 WindowBody body_around(const ContactWindow& contact, const ContactProblem& problem, Index margin_part) {
-  const Shape domain = shape_of(problem.h);
+  const Shape domain = problem.shape();
   WindowBody body{contact, whole(domain), nullptr};
   if (contact.empty()) return body;
   const Index margin = least_margin + std::max(contact.x.count, contact.y.count) / margin_part;
@@ -55,10 +82,12 @@ void minimise_on_body(ContactProblem& problem, bool near, const WindowedLimits& 
   if (!x.body.influence) return minimise_on(problem, std::move(start), 1, limits, observe, x);
 
   const ContactWindow& window = x.body.window;
-  ContactProblem part = problem.on(*x.body.influence, window.of(problem.h));
-  ContactStart inside{window.of(start.p), start.g.size() > 0 ? window.of(start.g) : Field(), near};
-  minimise_on(part, std::move(inside), share_of(part.h.size(), problem), limits, observe, x);
-  window.put(x.p, start.p);
+  const Slabs all = problem.slabs(), within = x.body.influence->slabs();
+  auto inside = [&](const Field& f) { return f.size() > 0 ? window.of(f, all, within) : Field(); };
+  ContactProblem part = problem.on(*x.body.influence, inside(problem.h));
+  minimise_on(part, {inside(start.p), inside(start.g), near}, share_of(part.shape(), problem), limits,
+              observe, x);
+  window.put(x.p, within, start.p, all);
   x.p = std::move(start.p);
   x.g = std::move(start.g);
   if (part.datum != problem.datum) problem.shift(part.datum - problem.datum);
@@ -82,7 +111,8 @@ WindowedSolution minimise_on_window(ContactProblem& problem, Field start, bool n
                                     const WindowedLimits& limits, const ContactObserver& observe) {
   WindowedSolution x;
   x.p = pushed_back(problem, std::move(start));
-  x.body = body_around(window_of(x.p, [](double p) { return p > 0; }), problem, limits.margin_part);
+  x.body = body_around(window_of(x.p, problem.slabs(), [](double p) { return p > 0; }), problem,
+                       limits.margin_part);
   Stagnation gain(1);
   for (;; near = true) {
     minimise_on_body(problem, near, limits, observe, x);
@@ -96,7 +126,7 @@ WindowedSolution minimise_on_window(ContactProblem& problem, Field start, bool n
     const bool no_gain = gain.add(epsilon) > grid_rounds_without_gain;
     const bool exhausted = epsilon < round_off_floor && (x.stop == ContactStop::round_off || no_gain);
     const auto overlaps = [approach = x.residual.approach](double g) { return g < approach; };
-    const ContactWindow contact = united(x.body.contact, window_of(x.g, overlaps));
+    const ContactWindow contact = united(x.body.contact, window_of(x.g, problem.slabs(), overlaps));
     if (united(x.body.window, contact) != x.body.window) {
       x.body = body_around(contact, problem, limits.margin_part);
     } else if (exhausted) {

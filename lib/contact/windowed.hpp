@@ -32,8 +32,10 @@ struct ContactWindow {
   Shape shape() const { return {x.count, y.count}; }
   bool operator==(const ContactWindow&) const = default;
 
-  Field of(const Field& f) const { return f.block(x.first, y.first, x.count, y.count); }
-  void put(const Field& part, Field& into) const { into.block(x.first, y.first, x.count, y.count) = part; }
+  /// The part of a field: from the rows that this rank has of it to those that it has of the part.
+  Field of(const Field& f, const Slabs& field, const Slabs& part) const;
+  /// The part back into the field.
+  void put(const Field& values, const Slabs& part, Field& f, const Slabs& field) const;
 };
 
 inline ContactWindow whole(Shape shape) { return {{0, shape.nx}, {0, shape.ny}}; }
@@ -65,11 +67,15 @@ inline ContactWindow enlarged(const ContactWindow& window, Shape shape, Shape do
   return {along(window.x, shape.nx, domain.nx), along(window.y, shape.ny, domain.ny)};
 }
 
+/// The least window that holds those of all ranks.
+ContactWindow least_of_all(const Ranks& ranks, const ContactWindow& own);
+
 /// The least window of the cells where holds(value): p > 0, or g < δ, which wants to be in contact.
 template <class Holds>
-ContactWindow window_of(const Field& f, Holds holds) {
-  const auto [x, y] = extents(f, holds);
-  return {x, y};
+ContactWindow window_of(const Field& f, const Slabs& slabs, Holds holds) {
+  auto [x, y] = extents(f, holds);
+  x.first += slabs.own().first;
+  return least_of_all(slabs.ranks(), {x, y});
 }
 
 /// A rectangle that holds the contact, and the body on it.

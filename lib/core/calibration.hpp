@@ -55,6 +55,7 @@ inline constexpr double reduction =
 inline constexpr double goal = 0.9;  ///< of the tolerance, for max|r|; 0.5: 407
 inline constexpr int subspace_steps = 200;      ///< at most
 inline constexpr double divergence = 1e3;       ///< of |r| over its smallest: round-off grows (tests/contact)
+inline constexpr Index own_cells = 1 << 18;     ///< up to which each of several ranks does all
 inline constexpr Index single_cells = 1 << 16;  ///< from which single precision pays
 inline constexpr int updates_of_gap = 50;       ///< by recurrence, before g is recomputed
 inline constexpr double far_from_datum = 100;   ///< displacements: round-off of g is then 1e-14 of these

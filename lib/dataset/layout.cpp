@@ -33,7 +33,7 @@ void set_actual_range(Variable& variable, const List& values) {
   if (values.size() == 0 || values.isNaN().all()) return;
   const double low = values.minCoeff<Eigen::PropagateNumbers>(),
                high = values.maxCoeff<Eigen::PropagateNumbers>();
-  variable.attributes.set_values("actual_range", std::vector<double>{low, high});
+  variable.attributes.set_values("actual_range", std::vector<double>{low + 0.0, high + 0.0});  // no -0
 }
 
 Variable make(std::string_view name, Names dimensions, std::vector<double> values, Meaning meaning,
@@ -183,6 +183,21 @@ Field field_of(const Dataset& dataset, std::string_view name, std::string_view u
   }
   refuse_not_finite(variable.name, out, missing);
   return out;
+}
+
+Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit, Extent rows,
+               Missing missing) {
+  const auto ny = dataset.length("y");
+  auto on_cells = [](const Variable& v) { return v.dimensions == Names{"x", "y"}; };
+  if (!on_cells(dataset.at(name))) throw DataError(std::string(name), "is not a field on (x, y)");
+  Dataset strip;
+  strip.dimensions = {{"x", rows.count}, {"y", ny}};
+  for (const std::string& part : {std::string(name), std::string("mask")})
+    if (const Variable* all = dataset.find(part); all != nullptr && on_cells(*all))
+      strip.variables.push_back({part, all->dimensions,
+                                 values_of(*all, size(rows.first * ny), size(rows.count * ny)),
+                                 all->attributes});
+  return field_of(strip, name, unit, missing);
 }
 
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {

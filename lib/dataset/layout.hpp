@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/extent.hpp"
 #include "core/field.hpp"
 #include "dataset/dataset.hpp"
 
@@ -38,6 +39,9 @@ enum class Missing { refused, not_a_number };
 Field field_of(const Dataset& dataset, std::string_view name, Missing missing = Missing::refused);
 /// The same in a given unit, for any name: "m", "Pa", "1".
 Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit,
+               Missing missing = Missing::refused);
+/// Some rows of it, the others unread.
+Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit, Extent rows,
                Missing missing = Missing::refused);
 
 struct Meaning {

@@ -49,10 +49,43 @@ Shape padded_torus(Shape field) {
   return {fast_length(2 * field.nx - 1, 2), fast_length(2 * field.ny - 1, 2)};
 }
 
-Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads) {
-  Field symbol(torus.nx / 2 + 1, torus.ny / 2 + 1);
-  transform_even(torus.ny, symbol.rows(), threads, kernel,
-                 [&](Index i, Index k, double value) { symbol(i, k) = value; });
+Extent symbol_columns(Shape torus, const Ranks& ranks, int rank) {
+  const Extent blocks = PrunedTransform::blocks_of(torus, ranks, rank);
+  const Index first = blocks.first * width;
+  return {first, std::min(blocks.end() * width, torus.ny / 2 + 1) - first};
+}
+
+namespace {
+
+// All rows of this rank's columns, for all columns of its rows.
+Field own_columns(Field own_rows, Shape torus, const Slabs& rows) {
+  const Ranks& ranks = rows.ranks();
+  if (!rows.shared()) return own_rows;
+  const Extent own = symbol_columns(torus, ranks);
+  std::vector<std::vector<double>> parts;
+  for (int r = 0; r < ranks.count(); ++r) {
+    const Extent theirs = symbol_columns(torus, ranks, r);
+    const Field part = own_rows.middleCols(theirs.first, theirs.count);
+    parts.emplace_back(part.data(), part.data() + part.size());
+  }
+  const auto found = exchanged(ranks, parts, [&](int r) { return rows.of(r).count * own.count; });
+  Field out(rows.rows(), own.count);
+  for (int r = 0; r < ranks.count(); ++r)
+    std::ranges::copy(found[static_cast<std::size_t>(r)], out.data() + rows.of(r).first * own.count);
+  return out;
+}
+
+}  // namespace
+
+Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads,
+                             const Ranks& ranks) {
+  const Slabs rows(torus.nx / 2 + 1, ranks);
+  const Extent own = rows.own();
+  Field symbol(own.count, torus.ny / 2 + 1);
+  transform_even(
+      torus.ny, own.count, threads, [&](Index i, Index j) { return kernel(own.first + i, j); },
+      [&](Index i, Index k, double value) { symbol(i, k) = value; });
+  symbol = own_columns(std::move(symbol), torus, rows);
   transform_even(
       torus.nx, symbol.cols(), threads, [&](Index j, Index i) { return symbol(i, j); },
       [&](Index j, Index k, double value) { symbol(k, j) = value; });
@@ -61,9 +94,10 @@ Field even_transfer_function(Shape torus, const std::function<double(Index, Inde
 
 namespace {
 
-// Single precision has a short range: its numbers count in the largest. Doubles stay as they are.
+// Single precision has a short range: its numbers count in the largest of all ranks. Doubles stay as they
+// are.
 template <class Real, class Number>
-double unit_of(const Number* numbers, Index count, int threads) {
+double unit_of(const Number* numbers, Index count, int threads, const Ranks& ranks) {
   if constexpr (std::is_same_v<Real, double>) return 1;
   std::vector<double> parts(size(std::max(threads, 1)));
   parallel_ranges(count, threads, [&](Index begin, Index end, int thread) {
@@ -71,23 +105,23 @@ double unit_of(const Number* numbers, Index count, int threads) {
     const Eigen::Map<const Eigen::ArrayX<Number>> run(numbers + begin, end - begin);
     parts[size(thread)] = static_cast<double>(run.abs().maxCoeff());
   });
-  const double largest = *std::max_element(parts.begin(), parts.end());
-  return std::isnormal(largest) ? largest : 1;
+  const double most = largest(ranks, *std::ranges::max_element(parts));
+  return std::isnormal(most) ? most : 1;
 }
 
 }  // namespace
 
 template <class Real>
 BasicEvenConvolution<Real>::BasicEvenConvolution(Shape field, Shape torus, const Field& symbol, int threads,
-                                                 WorkSpace work)
-    : transform_(field, torus),
-      unit_(unit_of<Real>(symbol.data(), symbol.size(), threads)),
+                                                 WorkSpace work, const Ranks& ranks)
+    : transform_(field, torus, Ways::both, ranks),
+      unit_(unit_of<Real>(symbol.data(), symbol.size(), threads, ranks)),
       work_(work ? std::move(work) : std::make_shared<WorkSpace::element_type>()),
       threads_(useful_threads(field, threads)) {
   const Index rows = torus.nx / 2 + 1;
-  symbol_.resize(size(transform_.blocks() * rows * width));
+  symbol_.resize(size(transform_.own_blocks().count * rows * width));
   const double scale = 1.0 / (unit_ * static_cast<double>(torus.cells()));
-  for (Index k = 0; k < transform_.columns(); ++k)
+  for (Index k = 0; k < symbol.cols(); ++k)
     for (Index i = 0; i < rows; ++i) symbol_[size(k * rows + i)] = static_cast<Real>(scale * symbol(i, k));
   half_spectrum();
 }
@@ -95,11 +129,13 @@ BasicEvenConvolution<Real>::BasicEvenConvolution(Shape field, Shape torus, const
 template <class Real>
 template <class Other>
 BasicEvenConvolution<Real>::BasicEvenConvolution(const BasicEvenConvolution<Other>& other)
-    : transform_(other.transform_.field(), other.transform_.torus()),
+    : transform_(other.transform_.field(), other.transform_.torus(), Ways::both,
+                 other.transform_.slabs().ranks()),
       unit_(other.unit_),
       work_(other.work_),
       threads_(other.threads_) {
-  const double unit = unit_of<Real>(other.symbol_.data(), std::ssize(other.symbol_), threads_);
+  const double unit =
+      unit_of<Real>(other.symbol_.data(), std::ssize(other.symbol_), threads_, transform_.slabs().ranks());
   unit_ *= unit;
   symbol_.reserve(other.symbol_.size());
   for (const Other s : other.symbol_) symbol_.push_back(static_cast<Real>(s / unit));
@@ -114,9 +150,9 @@ auto BasicEvenConvolution<Real>::half_spectrum() const -> std::span<Number> {
 
 template <class Real>
 void BasicEvenConvolution<Real>::multiply(Index b, Number* block) const {
-  const Index nx = transform_.torus().nx, rows = nx / 2 + 1;
+  const Index nx = transform_.torus().nx, rows = nx / 2 + 1, first = transform_.own_blocks().first;
   for (Index q = 0; q < width; ++q) {
-    const Real* s = symbol_.data() + (b * width + q) * rows;
+    const Real* s = symbol_.data() + ((b - first) * width + q) * rows;
     Number* x = block + q * transform_.stride();
     for (Index i = 0; i < rows; ++i) x[i] *= s[i];
     for (Index i = rows; i < nx; ++i) x[i] *= s[nx - i];
@@ -125,11 +161,11 @@ void BasicEvenConvolution<Real>::multiply(Index b, Number* block) const {
 
 template <class Real>
 void BasicEvenConvolution<Real>::apply(const Field& in, Field& out) {
-  const double unit = unit_of<Real>(in.data(), in.size(), threads_);
+  const double unit = unit_of<Real>(in.data(), in.size(), threads_, transform_.slabs().ranks());
   const std::span<Number> half = half_spectrum();
   transform_.forward_rows(in, half, threads_, 1 / unit);
   transform_.filter(half, threads_, [this](Index b, Number* block) { multiply(b, block); });
-  out.resize(shape().nx, shape().ny);
+  out.resize(transform_.slabs().own().count, shape().ny);
   transform_.inverse_rows(half, out, threads_, unit * unit_);
 }
 

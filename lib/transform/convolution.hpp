@@ -24,8 +24,16 @@ namespace asperity {
 Shape padded_torus(Shape field);
 
 /// The symbol of an even kernel on a torus of even sides: `kernel(i, j)` is called for 0 ≤ i ≤ Px/2, 0 ≤ j ≤
-/// Py/2, by several threads at once. Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky).
-Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads = 1);
+/// Py/2, by several threads at once. Returns (Px/2+1) × (Py/2+1) real values K^(kx, ky); on several ranks its
+/// symbol_columns.
+Field even_transfer_function(Shape torus, const std::function<double(Index, Index)>& kernel, int threads = 1,
+                             const Ranks& ranks = alone());
+
+/// The ky of the blocks that a rank works on.
+Extent symbol_columns(Shape torus, const Ranks& ranks, int rank);
+inline Extent symbol_columns(Shape torus, const Ranks& ranks) {
+  return symbol_columns(torus, ranks, ranks.rank());
+}
 
 /// Memory that convolutions use in turn.
 using WorkSpace = std::shared_ptr<AlignedVector<std::byte>>;
@@ -33,9 +41,10 @@ using WorkSpace = std::shared_ptr<AlignedVector<std::byte>>;
 template <class Real>
 class BasicEvenConvolution {
  public:
-  /// `symbol` as even_transfer_function returns it, for this torus. Convolutions that never work at the same
-  /// time may share a work space, which is grown to what the largest needs.
-  BasicEvenConvolution(Shape field, Shape torus, const Field& symbol, int threads = 1, WorkSpace work = {});
+  /// `symbol` as even_transfer_function returns it, for this torus and these ranks. Convolutions that never
+  /// work at the same time may share a work space, which is grown to what the largest needs.
+  BasicEvenConvolution(Shape field, Shape torus, const Field& symbol, int threads = 1, WorkSpace work = {},
+                       const Ranks& ranks = alone());
   /// The same convolution in another precision.
   template <class Other>
   explicit BasicEvenConvolution(const BasicEvenConvolution<Other>& other);
@@ -54,7 +63,7 @@ class BasicEvenConvolution {
 
   BasicPrunedTransform<Real> transform_;
   double unit_;                 ///< of the symbol: all of it is at most 1 in single precision
-  AlignedVector<Real> symbol_;  ///< [column][kx ≤ Px/2], divided by unit_ Px Py
+  AlignedVector<Real> symbol_;  ///< [column of own blocks][kx ≤ Px/2], divided by unit_ Px Py
   WorkSpace work_;
   int threads_;
 };

@@ -11,13 +11,19 @@
 /// Cost: there and back 0.4 of one padded real-to-complex transform from 1024² on, where the plain way takes
 /// 2; below, in the cache, 1.0 to 1.2 (validation/contact_error_time.cpp).
 /// Memory: 2 nx (Py/2 + 8) doubles for a half spectrum, 16 Px for a block.
+///
+/// On several ranks (core/ranks.hpp) each holds its rows of field and half spectrum, and works on its share
+/// of the blocks, whose rows come from all ranks, some blocks at a time, and go back: what goes to a rank
+/// lies in one piece. Results have the bits of one rank.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "core/field.hpp"
 #include "core/parallel.hpp"
+#include "core/ranks.hpp"
 #include "transform/plan.hpp"
 #include "transform/rows.hpp"
 
@@ -39,16 +45,24 @@ class BasicPrunedTransform {
   using Rows = BasicRowTransform<Real>;
   static constexpr Index width = 8;  ///< columns in a block
 
-  /// `torus` may equal `field`: a periodic transform, nothing pruned.
-  BasicPrunedTransform(Shape field, Shape torus, Ways ways = Ways::both);
+  /// `torus` may equal `field`: a periodic transform, nothing pruned. Of all ranks' rows.
+  BasicPrunedTransform(Shape field, Shape torus, Ways ways = Ways::both, const Ranks& ranks = alone());
 
   Shape field() const { return field_; }
+  const Slabs& slabs() const { return slabs_; }
   Shape torus() const { return torus_; }
   Index columns() const { return torus_.ny / 2 + 1; }
   Index blocks() const { return (columns() + width - 1) / width; }
   Index stride() const { return columns_.stride(); }  ///< from one column of a block to the next
   Index block_size() const { return columns_.size(); }
-  Index half_size() const { return blocks() * field_.nx * width; }  ///< points of a half spectrum
+  Index half_size() const { return blocks() * rows_here() * width; }  ///< points of a half spectrum
+  /// The blocks that a rank works on: its share of columns.
+  Extent blocks_of(int rank) const { return blocks_of(torus_, slabs_.ranks(), rank); }
+  Extent own_blocks() const { return blocks_of(slabs_.ranks().rank()); }
+  static Extent blocks_of(Shape torus, const Ranks& ranks, int rank) {
+    const Index all = (torus.ny / 2 + width) / width, first = all * rank / ranks.count();
+    return {first, all * (rank + 1) / ranks.count() - first};
+  }
   HalfSpectrum half_spectrum() const;
 
   /// The rows of `in`, times `scale`, into the half spectrum.
@@ -61,24 +75,28 @@ class BasicPrunedTransform {
   /// (i - first)·apart.
   void inverse_group(std::span<const Number> half, Index first, Index count, Index wanted, double* out,
                      Index apart, typename Rows::Work& work) const {
-    rows_.inverse(half.data() + first * width, field_.nx * width, count, wanted, out, apart, work);
+    rows_.inverse(half.data() + first * width, rows_here() * width, count, wanted, out, apart, work);
   }
   typename Rows::Work row_work() const { return rows_.work(); }
 
-  /// work(b, block) of every block of the half spectrum, transformed in x as by forward_block.
+  /// work(b, block) of every block of the half spectrum that is this rank's, transformed in x as by
+  /// forward_block.
   template <class Work>
   void each_block(std::span<const Number> half, int threads, Work work) const {
+    if (slabs_.shared()) return shared_pass(half, std::nullopt, threads, work);
     pass(half, threads, [&](Index b, Number* block, Number*) { work(b, block); });
   }
   /// The same, and what work has made of it back into the half spectrum.
   template <class Work>
   void filter(std::span<Number> half, int threads, Work work) const {
+    if (slabs_.shared()) return shared_pass(half, half, threads, work);
     pass(half, threads, [&](Index b, Number* block, Number* scratch) {
       work(b, block);
       inverse_block(block, b, half, scratch);
     });
   }
 
+  // Of one rank alone.
   /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points,
   /// as `work` has.
   void forward_block(std::span<const Number> half, Index b, Number* block, Number* work) const;
@@ -86,8 +104,8 @@ class BasicPrunedTransform {
   void inverse_block(const Number* block, Index b, std::span<Number> half, Number* work) const;
 
  private:
-  template <class Visit>
-  void by_groups(int threads, Visit visit) const;
+  template <class Group>
+  void by_groups(int threads, Group visit) const;
   template <class Work>
   void pass(std::span<const Number> half, int threads, Work work) const {
     parallel_ranges(blocks(), threads, [&](Index begin, Index end, int) {
@@ -99,7 +117,16 @@ class BasicPrunedTransform {
     });
   }
 
+  using Visit = std::function<void(Index b, Number* block)>;
+  // Blocks of all ranks' rows; back into `back`, if it is given.
+  void shared_pass(std::span<const Number> half, std::optional<std::span<Number>> back, int threads,
+                   const Visit& work) const;
+  // Behind the rows of the field, `columns` are filled with zeros.
+  void forward_columns(Number* columns, Number* block) const;
+  Index rows_here() const { return slabs_.own().count; }
+
   Shape field_, torus_;
+  Slabs slabs_;
   Rows rows_;
   BasicColumnTransform<Real> columns_;
 };

@@ -41,11 +41,12 @@ Field two_peaks(const Grid& grid) {
 TEST_CASE("the least window of a contact holds its cells and no other row or column", "[window][exact]") {
   const auto contact = [](double value) { return value > 0; };
   Field p = Field::Zero(9, 12);
-  CHECK(window_of(p, contact).empty());
+  const Slabs slabs(9);
+  CHECK(window_of(p, slabs, contact).empty());
   p(2, 7) = p(5, 4) = p(3, 9) = 1;
-  CHECK(window_of(p, contact) == ContactWindow{{2, 4}, {4, 6}});
-  CHECK(window_of(1 - p, [](double gap) { return gap < 0.5; }) == ContactWindow{{2, 4}, {4, 6}});
-  CHECK(window_of(Field::Ones(9, 12), contact) == whole({9, 12}));
+  CHECK(window_of(p, slabs, contact) == ContactWindow{{2, 4}, {4, 6}});
+  CHECK(window_of(1 - p, slabs, [](double gap) { return gap < 0.5; }) == ContactWindow{{2, 4}, {4, 6}});
+  CHECK(window_of(Field::Ones(9, 12), slabs, contact) == whole({9, 12}));
 }
 
 TEST_CASE("on a period the extent is of the fewest lines that hold all", "[window][exact]") {
@@ -71,10 +72,11 @@ TEST_CASE("a body on a window displaces it as the whole body does", "[window][ex
   REQUIRE(part);
   const ContactWindow window{{30, part->shape().nx}, {41, part->shape().ny}};
   Field p = Field::Zero(64, 80), u, on_window;
-  window.put(random_waves(window.shape(), 1), p);
+  const Slabs all = body->slabs(), within = part->slabs();
+  window.put(random_waves(window.shape(), 1), within, p, all);
   body->apply(p, u);
-  part->apply(window.of(p), on_window);
-  CHECK((window.of(u) - on_window).abs().maxCoeff() <= 1e-14 * u.abs().maxCoeff());
+  part->apply(window.of(p, all, within), on_window);
+  CHECK((window.of(u, all, within) - on_window).abs().maxCoeff() <= 1e-14 * u.abs().maxCoeff());
   CHECK(part->self_influence() == body->self_influence());
 }
 

@@ -14,6 +14,8 @@ needs libasperity-dev Depends libeigen3-dev
 needs python3-asperity Depends "asperity \(= $version-1\)"
 needs python3-asperity Depends python3-xarray
 needs python3-asperity Architecture all
-for package in asperity "$library" libasperity-dev python3-asperity; do
+needs asperity-mpi Depends libopenmpi3
+needs asperity-mpi Depends openmpi-bin
+for package in asperity "$library" libasperity-dev python3-asperity asperity-mpi; do
   for name in Maintainer Section Description; do [ -n "$(field $package $name)" ]; done
 done

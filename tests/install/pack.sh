@@ -2,4 +2,4 @@
 set -euo pipefail
 rm -rf "$packages"
 cpack --config "$build/CPackConfig.cmake" -G DEB -B "$packages" >/dev/null
-[ "$(ls "$packages"/*.deb | wc -l)" -eq 4 ]
+[ "$(ls "$packages"/*.deb | wc -l)" -eq 5 ]

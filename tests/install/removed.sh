@@ -19,6 +19,6 @@ before=$(files "$1")
 run "$1" -i "$packages"/*.deb
 [ -x "$1/usr/bin/asperity-generate" ]
 [ "$(wc -l <"$1/var/ldconfig")" -eq 1 ]
-run "$1" --purge python3-asperity asperity libasperity-dev "libasperity${version%.*}"
+run "$1" --purge asperity-mpi python3-asperity asperity libasperity-dev "libasperity${version%.*}"
 [ "$(wc -l <"$1/var/ldconfig")" -ge 2 ]
 diff <(echo "$before") <(files "$1")

@@ -72,7 +72,6 @@ TEST_CASE("bash completes options, the words of a choice and files", "[completio
   CHECK(offered("generate", "--mod") == "--model\n");
   CHECK(offered("generate", "--model m") == "matern\n");
   CHECK(offered("generate", "--model = g") == "gaussian\n");
-  CHECK(offered("generate", "--form ''").empty() == false);
   CHECK(offered("generate", "--rq ''") == "\n");
   CHECK(offered("contact", "--boundary ''") == "free periodic periodic_x periodic_y\n");
   shell("touch 'that surface.nc' other.file");

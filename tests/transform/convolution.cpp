@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "reference/ranks.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -102,4 +103,31 @@ TEST_CASE("a fast length has few factors five and none between is skipped", "[tr
   CHECK(fast_length(381, 2) == 400);
   CHECK(fast_length(1281, 2) == 1536);
   CHECK(fast_length(255, 4) == 256);
+}
+
+TEST_CASE("several ranks convolve as one does, to the last bit", "[convolution][ranks][law]") {
+  for (const Shape shape : {Shape{130, 70}, Shape{256, 34}, Shape{64, 64}})
+    for (const bool circular : {false, true})
+      for (const int count : {2, 3, 4}) {
+        const Shape torus = circular ? shape : padded_torus(shape);
+        const Field in = random_field(shape, 4);
+        Field wanted, single;
+        convolution(shape, torus).apply(in, wanted);
+        BasicEvenConvolution<float>(convolution(shape, torus)).apply(in, single);
+        CAPTURE(shape.nx, circular, count);
+        ThreadRanks(count).run([&](const Ranks& ranks) {
+          const Slabs slabs(shape.nx, ranks);
+          const Field own = in.middleRows(slabs.own().first, slabs.own().count);
+          EvenConvolution whole(shape, torus, even_transfer_function(torus, kernel, 1, ranks), 1, {}, ranks);
+          BasicEvenConvolution<float> half(whole);
+          Field out, rounded;
+          whole.apply(own, out);
+          half.apply(own, rounded);
+          out = rows_of(out, slabs, Extent{0, shape.nx});
+          rounded = rows_of(rounded, slabs, Extent{0, shape.nx});
+          if (ranks.rank() > 0) return;
+          CHECK((out == wanted).all());
+          CHECK((rounded == single).all());
+        });
+      }
 }

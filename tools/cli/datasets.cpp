@@ -110,6 +110,7 @@ void Tool::reads(const std::string& name, bool passed_on) const {
 void Tool::write(Dataset& dataset) { write(dataset, output_); }
 
 void Tool::write(Dataset& dataset, const std::string& name, const std::vector<std::string>& lines) const {
+  if (!speaks()) return;
   refuse_terminal(name);
   if (!writes_any_) check_dataset_name(name);
   sign(dataset, lines);
@@ -134,6 +135,7 @@ void Tool::write_report(const Dataset& dataset) const {
 }
 
 void Tool::write_text(const std::string& text) const {
+  if (!speaks()) return;
   if (output_is_terminal())
     Progress::clear();
   else

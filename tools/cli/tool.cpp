@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <gsl/gsl_errno.h>
 
+#include "core/launch.hpp"
 #include "core/parallel.hpp"
 #include "core/words.hpp"
 #include "dataset/catalogue.hpp"
@@ -68,7 +69,19 @@ std::string with_options(std::string text) {
 
 Tool::~Tool() = default;
 
-int Tool::thread_count() const { return resolve_threads(threads_); }
+// Ranks on one machine share its cores.
+int Tool::thread_count() const {
+  return threads_ == 0 && ranks().count() > 1 ? std::max(1, resolve_threads(0) / ranks_on_machine())
+                                              : resolve_threads(threads_);
+}
+
+// Copies would write one file.
+void Tool::refuse_copies() const {
+  if (ranks_started() == 1 || shares_ranks_) return;
+  throw std::runtime_error(std::to_string(ranks_started()) +
+                           " copies were started by mpirun or its like, but this tool runs as one process; "
+                           "for separate runs unset OMPI_COMM_WORLD_SIZE and PMI_SIZE");
+}
 
 bool Tool::shows_progress() const {
   if (works_alone() || quiet_ || verbose_ || progress_ == "never") return false;
@@ -87,7 +100,8 @@ std::uint64_t Tool::seed_value() {
 void Tool::say(const std::string& line) { Progress::say(one_line(line)); }
 
 int Tool::fail(Exit code, const std::string& message) const {
-  say(name_ + ": " + message);
+  last_words_ = name_ + ": " + message;
+  say(last_words_);
   return code;
 }
 
@@ -103,7 +117,9 @@ std::string Tool::in_file(const DataError& error) const {
 }
 
 int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
+  if (shares_ranks_) ranks_ = &launched();
   parse(argc, argv);
+  refuse_copies();
   source_date();  // refused before the work, not after
   if (dump_config_) throw CLI::Success(config_text(*app_), CLI::ExitCodes::Success);
   if (writes_dataset_ && !writes_any_ && !writes_table_) refuse_terminal(output_);
@@ -149,6 +165,7 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) {
   // A write that is too large then fails and says so. An ignored signal would be inherited by other programs.
   std::signal(SIGXFSZ, [](int) {});
   const int code = guarded(argc, argv, body);
+  ranks().end(code, last_words_);
   if (time_) say(name_ + ": " + usage_of_run(clock_.seconds()));
   return code;
 }

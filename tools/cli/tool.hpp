@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "core/stopwatch.hpp"
 #include "dataset/bytes.hpp"
 #include "dataset/dataset.hpp"
@@ -172,6 +173,8 @@ class Tool {
   /// --memory SIZE; `text` says what it bounds besides an input. A tool that reads has the option anyway.
   void memory(const std::string& text);
   void seed() { seeded_ = true; }  ///< --seed N and --stream K
+  /// Of a tool that several ranks may run together (core/launch.hpp); no other starts under a launcher.
+  void shares_ranks() { shares_ranks_ = true; }
   /// No other options than those that print a text, and no variables: a program that computes nothing.
   void documents_only() { computes_ = false; }
 
@@ -179,8 +182,10 @@ class Tool {
   std::vector<std::string> given_under(const std::vector<std::string>& headings) const;  ///< their names
   const std::string& input_name() const { return input_; }
   const std::string& output_name() const { return output_; }
-  int thread_count() const;                       ///< resolved: at least 1
-  std::size_t memory() const { return memory_; }  ///< that the run may take [byte]
+  int thread_count() const;                            ///< resolved: at least 1
+  const Ranks& ranks() const { return *ranks_; }       ///< that run it, once its options are known
+  bool speaks() const { return ranks().rank() == 0; }  ///< and writes, for all of them
+  std::size_t memory() const { return memory_; }       ///< that the run may take [byte]
   /// The part of it for reading; `held` is in use.
   MemoryBound memory_bound(std::size_t held = 0) const;
   std::uint64_t seed_value();  ///< from --seed, else from entropy, the same at each call
@@ -241,6 +246,7 @@ class Tool {
   std::vector<Step> steps_of_command_line() const;
   std::vector<Step> steps_of_text() const;
   void settle_steps();
+  void refuse_copies() const;
   Dataset read_by(const std::string& name, std::string_view first_bytes,
                   const std::function<Dataset()>& decoded) const;
   void add_common();
@@ -280,7 +286,9 @@ class Tool {
   static thread_local std::string reading_;  ///< the last file that was, on this thread
   mutable std::string subject_;              ///< of warnings: one of several surfaces
   mutable Repeated warnings_, notes_;
-  bool result_is_dataset_ = false;
+  const Ranks* ranks_ = &alone();
+  mutable std::string last_words_;  ///< of what ends the run
+  bool result_is_dataset_ = false, shares_ranks_ = false;
   bool takes_input_ = false, reads_ = false, writes_dataset_ = false, writes_any_ = false,
        writes_table_ = false, reports_ = false, threaded_ = false, seeded_ = false;
   bool computes_ = true, quiet_ = false, verbose_ = false, json_ = false, no_history_ = false, time_ = false,

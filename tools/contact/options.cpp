@@ -63,6 +63,7 @@ void ContactOptions::declare(Tool& tool) {
   tool.table();
   tool.report();
   tool.threads();
+  tool.shares_ranks();
 }
 
 void ContactOptions::declare_surface(Tool& tool) {
@@ -157,6 +158,7 @@ void ContactOptions::check(Tool& tool) {
   bodies.check();
   check_load(tool);
   check_added();
+  check_ranks(tool);
   contact.threads = tool.thread_count();
   contact.check();
   check_streams(tool);
@@ -195,12 +197,27 @@ void ContactOptions::check_added() const {
     throw UsageError("add", "contact_ratios needs a rough surface, not --smooth");
 }
 
+// What needs the whole field at once, or other contacts beside one.
+void ContactOptions::check_ranks(const Tool& tool) {
+  ranks = &tool.ranks();
+  if (ranks->count() == 1) return;
+  const std::string why = fmt::format(" by {} ranks: start one process", ranks->count());
+  if (tool.given("--accuracy")) throw UsageError("accuracy", "cannot be reached" + why);
+  if (adds("grid_errors")) throw UsageError("add", "grid_errors cannot be computed" + why);
+  if (!smooth && surfaces.takes_standard_input())
+    throw UsageError("input", "standard input reaches the first rank alone: name a file");
+}
+
 void ContactOptions::check_streams(Tool& tool) {
   const bool piped = !smooth && surfaces.takes_standard_input();
   if (piped && stdin_is_terminal())
     throw UsageError("smooth", "no input: pipe a dataset in, name a file, or add --smooth");
   if (piped && counter == "-") throw UsageError("counter", "standard input is the first body: name a file");
   if (!smooth) surfaces_ = surfaces.resolve(tool);
+  if (several() && ranks->count() > 1)
+    throw UsageError(
+        "input", fmt::format("{} surfaces cannot be pressed by {} ranks: start a process for each", surfaces_,
+                             ranks->count()));
   tool.writes_dataset(!tabulates());
   if (tabulates()) return check_table(tool);
   refuse_terminal(tool.output_name());

@@ -25,11 +25,12 @@ struct ContactOptions {
   Bodies bodies{.young = {none, none}, .poisson = {none, none}};
   std::string radius_option = "radius";  ///< the one that gave the radii
 
-  ContactParameters contact;     ///< of a sweep with its first load
-  std::vector<double> loads;     ///< of a sweep; empty: one contact is solved and written
-  std::string each;              ///< pattern of the datasets of a sweep, or of several surfaces
-  std::vector<std::string> add;  ///< further results
-  double accuracy = 0;           ///< largest relative error of the grid; 0: whatever it is
+  const Ranks* ranks = &alone();  ///< that press together
+  ContactParameters contact;      ///< of a sweep with its first load
+  std::vector<double> loads;      ///< of a sweep; empty: one contact is solved and written
+  std::string each;               ///< pattern of the datasets of a sweep, or of several surfaces
+  std::vector<std::string> add;   ///< further results
+  double accuracy = 0;            ///< largest relative error of the grid; 0: whatever it is
 
   bool sweeps() const { return !loads.empty(); }
   bool several() const { return surfaces_ > 1; }
@@ -56,6 +57,7 @@ struct ContactOptions {
   double load_ = none, approach_ = none, yield_ = none;
   std::string loads_, accuracy_;
   std::size_t surfaces_ = 1;
+  void check_ranks(const Tool& tool);
 };
 
 }  // namespace asperity::cli

@@ -14,7 +14,8 @@ namespace asperity::cli {
 
 ElasticOperator& Influence::on(const Grid& grid) {
   if (!made_ || grid.dx != grid_.dx || grid.dy != grid_.dy || !same_grid(grid, grid_)) {
-    made_ = make_influence(grid, options_.bodies.composite_modulus(), options_.contact.threads);
+    made_ =
+        make_influence(grid, options_.bodies.composite_modulus(), options_.contact.threads, *options_.ranks);
     told_ = 0;
   }
   grid_ = grid;

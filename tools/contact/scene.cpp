@@ -69,14 +69,15 @@ Periodic periodic(const ContactOptions& o, const Grid& grid) {
   return out;
 }
 
-Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid, std::size_t held) {
+Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid, std::size_t held,
+                      Extent rows) {
   tool.reads(name);  // nothing of it is passed on
   const Dataset data = tool.read(name, held);
   const Grid own = grid_of(data);
   if (!same_grid(own, grid))
     throw DataError("counter", fmt::format("its grid, {}, differs from that of the first body, {}",
                                            described(own), described(grid)));
-  return field_of(data, "heights", "m");
+  return field_of(data, "heights", "m", rows);
 }
 
 void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
@@ -140,20 +141,21 @@ void record_stiffness(Attributes& a, const ContactOptions& o, const Contact& c) 
   a.set("contact_stiffness_converged", std::isnan(c.stiffness) ? 0 : 1);
 }
 
-void record_fields(Dataset& data, const Contact& c) {
-  set_field(data, "pressure", c.pressure, {"Pa", "contact pressure"});
-  set_field(data, "gap", c.gap, {"m", "gap between the pressed bodies, negative where flattened"});
-  set_field(data, "displacement", c.displacement, {"m", "elastic displacement of both bodies together"});
+void record_fields(Dataset& data, SharedFields& fields, const Contact& c) {
+  fields.set(data, "pressure", c.pressure, {"Pa", "contact pressure"});
+  fields.set(data, "gap", c.gap, {"m", "gap between the pressed bodies, negative where flattened"});
+  fields.set(data, "displacement", c.displacement, {"m", "elastic displacement of both bodies together"});
   set_flags(data, "contact", c.state, "state of contact", "open elastic at_limit_pressure");
 }
 
-void record_flattening(Dataset& data, const ContactOptions& o, const Contact& c, const Field& pressed) {
+void record_flattening(Dataset& data, SharedFields& fields, const ContactOptions& o, const Contact& c,
+                       const Field& pressed) {
   if (std::isinf(o.contact.limit_pressure)) return;
   const Field flattened = plastic_flattening(c);
-  set_field(data, "displacement_plastic", flattened, {"m", "plastic flattening of both bodies together"});
+  fields.set(data, "displacement_plastic", flattened, {"m", "plastic flattening of both bodies together"});
   if (!o.unloads()) return;
   const Field left = o.smooth ? Field(-flattened) : Field(pressed - flattened);
-  set_field(data, "heights_residual", left, {"m", "heights after the load is removed"});
+  fields.set(data, "heights_residual", left, {"m", "heights after the load is removed"});
 }
 
 // A column of a sweep, and the error that the grid leaves of it.
@@ -184,18 +186,28 @@ const LoadColumn load_columns[] = {
 }  // namespace
 
 ContactScene scene_of(const Tool& tool, const ContactOptions& o, Dataset data) {
-  ContactScene scene{std::move(data), {}, {}};
+  ContactScene scene{.data = std::move(data), .grid = {}, .gap = {}};
   scene.grid = o.smooth ? smooth_grid(o) : grid_of(scene.data);
   const Shape shape = scene.grid.shape;
-  tool.require_memory(bytes_a_cell * static_cast<double>(shape.cells()), o.smooth ? "shape" : "memory",
+  const Slabs slabs = shared_rows(shape, *o.ranks);
+  tool.require_memory(bytes_a_cell * static_cast<double>(slabs.own().count * shape.ny),
+                      o.smooth ? "shape" : "memory",
                       fmt::format("a contact of {}x{} cells", shape.nx, shape.ny));
   if (o.smooth) set_grid(scene.data, scene.grid);
   const Grid given = scene.grid;
   scene.grid.periodic = periodic(o, given);
-  Field gap = undeformed_gap(scene.grid, o.bodies);
-  if (!o.smooth) gap -= field_of(scene.data, o.variable, "m");
-  if (!o.counter.empty()) gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory());
-  return scene_with(o, std::move(scene.data), scene.grid, std::move(gap));
+  const bool whole = !slabs.shared() || o.ranks->rank() == 0;
+  const Extent rows = whole ? Extent{0, shape.nx} : slabs.own();
+  agree(*o.ranks, [&] {
+    scene.gap = undeformed_gap(scene.grid, o.bodies, rows);
+    if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m", rows);
+    if (!o.counter.empty())
+      scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory(), rows);
+  });
+  if (!whole) return scene;
+  ContactScene out = scene_with(o, std::move(scene.data), scene.grid, std::move(scene.gap));
+  if (slabs.shared()) out.gap = own_rows(out.gap, slabs);
+  return out;
 }
 
 bool fits(const Tool& tool, Shape shape) {
@@ -203,7 +215,7 @@ bool fits(const Tool& tool, Shape shape) {
 }
 
 ContactScene scene_with(const ContactOptions& o, Dataset data, const Grid& grid, Field gap) {
-  ContactScene scene{std::move(data), grid, std::move(gap)};
+  ContactScene scene{.data = std::move(data), .grid = grid, .gap = std::move(gap)};
   scene.data.find("x")->attributes.set("periodic", grid.periodic.x ? 1 : 0);
   scene.data.find("y")->attributes.set("periodic", grid.periodic.y ? 1 : 0);
   const bool rough = !o.smooth || !o.counter.empty();
@@ -219,7 +231,9 @@ ContactScene scene_with(const ContactOptions& o, Dataset data, const Grid& grid,
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact,
             const GridFigures& grid) {
   const bool keeps = options.unloads() && !options.smooth;
-  const Field pressed = keeps ? field_of(scene.data, options.variable, "m") : Field();
+  const Slabs slabs = contact.slabs();
+  const Field pressed = keeps ? own_rows(field_of(scene.data, options.variable, "m"), slabs) : Field();
+  SharedFields& fields = scene.fields.emplace(slabs);
   const bool overwrites = options.unloads() && options.variable == "heights_residual";
   drop_results(scene.data, "contact", overwrites ? "" : options.variable);
   Attributes& a = scene.data.attributes;
@@ -229,8 +243,8 @@ void record(ContactScene& scene, const ContactOptions& options, const Contact& c
   record_result(a, contact);
   record_stiffness(a, options, contact);
   record(a, scene.growth, grid);
-  record_fields(scene.data, contact);
-  record_flattening(scene.data, options, contact, pressed);
+  record_fields(scene.data, fields, contact);
+  record_flattening(scene.data, fields, options, contact, pressed);
   for (const Figure& f : figures(scene, options, contact, grid)) a.set("contact_" + f.name, f.value);
   if (options.adds("patches")) record_patches(scene.data, scene.grid, contact);
 }

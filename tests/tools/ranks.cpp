@@ -1,0 +1,135 @@
+// asperity-contact under mpirun: the file of one process, and what happens when a rank fails.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "support.hpp"
+#include "tools/files.hpp"
+#include "tools/shell.hpp"
+
+using namespace asperity;
+using namespace asperity::test;
+
+namespace {
+
+const std::string contact = "asperity-contact --young 208GPa --poisson 0.3 --no-history --progress never ";
+
+// Of more ranks than cores, some run as root: what a launcher has to be told.
+std::string mpirun(int ranks) {
+  return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 120 mpirun -q --oversubscribe "
+         "-n " +
+         std::to_string(ranks) + " ";
+}
+
+// In words that skipped() knows.
+bool no_mpirun() {
+  return skipped(ASPERITY_HAS_MPI
+                     ? shell("command -v mpirun >/dev/null || echo SKIPPED: mpirun is not installed")
+                     : shell("echo SKIPPED: a build without MPI"));
+}
+
+void draw() {
+  static const bool drawn = shell(
+                                "asperity-generate -q --shape 576x540 --size 1mm,0.9mm --rq 0.2um --length "
+                                "20um --seed 3 -o s.nc && "
+                                "asperity-generate -q --periodic --shape 576x540 --size 1mm,0.9mm --rq 0.2um "
+                                "--length 20um --seed 3 -o p.nc")
+                                .exit == 0;
+  REQUIRE(drawn);
+}
+
+// The text of a dataset, without what depends on time.
+std::string text_of(const std::string& names) {
+  return "for f in " + names + "; do ncdump -p 9,17 $f.nc | sed 1d | grep -v _seconds >$f.txt; done; ";
+}
+
+}  // namespace
+
+TEST_CASE("several ranks write the file of one, byte for byte but for times", "[ranks][contact][slow]") {
+  if (no_mpirun()) return;
+  draw();
+  const std::vector<std::string> runs{
+      "s.nc --load 20N --radius 20mm --add contact_stiffness,patches,elastic_energy",
+      "s.nc --load 20N --radius 20mm --yield 1GPa --add heights_residual,contact_ratios",
+      "s.nc --approach 1um --radius 20mm",
+      "p.nc --load 50N --add contact_stiffness",
+      "--smooth --shape 600x600 --size 1mm --radius 20mm --load 1N",
+  };
+  for (const std::string& run : runs) {
+    CAPTURE(run);
+    const Outcome one = shell(contact + run + " -o one.nc --threads 1");
+    REQUIRE(one.exit == 0);
+    for (const auto& [ranks, threads] : {std::pair{2, 2}, std::pair{3, 1}}) {
+      CAPTURE(ranks);
+      const Outcome several =
+          shell(mpirun(ranks) + contact + run + " -o several.nc --threads " + std::to_string(threads));
+      CAPTURE(several.error);
+      CHECK(several.exit == 0);
+      CHECK(several.error == one.error);
+      CHECK(shell(text_of("one several") +
+                  "cmp one.txt several.txt && [ $(stat -c %s one.nc) -eq $(stat -c %s several.nc) ]")
+                .exit == 0);
+    }
+  }
+}
+
+TEST_CASE("several ranks print the table of one, and one dataset a load", "[ranks][contact][slow]") {
+  if (no_mpirun()) return;
+  draw();
+  const std::string run = "s.nc --sweep 5N,20N,10N --radius 20mm --yield 1GPa --each ";
+  const Outcome one = shell(contact + run + "one_%d.nc --threads 1"),
+                three = shell(mpirun(3) + contact + run + "three_%d.nc --threads 1");
+  CHECK(one.exit == 0);
+  CHECK(three.exit == 0);
+  CHECK(three.out == one.out);
+  for (const std::string k : {"1", "2", "3"})
+    CHECK(shell(text_of("one_" + k + " three_" + k) + "cmp one_" + k + ".txt three_" + k + ".txt").exit == 0);
+}
+
+TEST_CASE("a failure under mpirun is one line and an exit code, and leaves no file",
+          "[ranks][contact][slow]") {
+  if (no_mpirun()) return;
+  draw();
+  Dataset map = read_dataset("s.nc");
+  std::get<std::vector<double>>(map.find("heights")->values).at(570 * 540 + 3) =
+      NAN;  // in the rows of the second
+  write_dataset(map, "bad.nc");
+  const Outcome data = shell(mpirun(2) + contact + "bad.nc --load 20N --radius 20mm -o bad_out.nc");
+  CAPTURE(data.error);
+  CHECK(data.exit == 4);
+  CHECK(lines(data.error) == 1);
+  const Outcome usage =
+      shell(mpirun(2) + contact + "s.nc --load 20N --radius 20mm --accuracy 1% -o bad_out.nc");
+  CAPTURE(usage.error);
+  CHECK(usage.exit == 2);
+  CHECK(lines(usage.error) == 1);
+  const Outcome full = shell(mpirun(2) + contact + "s.nc --load 20N --radius 20mm -o /dev/full");
+  CAPTURE(full.error);
+  CHECK(full.exit == 1);
+  CHECK(lines(full.error) == 1);
+  CHECK(shell("test -e bad_out.nc").exit != 0);
+}
+
+TEST_CASE("when a rank is killed the others end, and no file is left", "[ranks][contact][slow]") {
+  if (no_mpirun()) return;
+  draw();
+  const Outcome killed = shell(
+      mpirun(3) + contact +
+      "s.nc --load 20N --radius 20mm --tolerance 1e-15 --max-convolutions 1000000 -o killed.nc & "
+      "for i in $(seq 100); do pid=$(pgrep -n -f 'asperity-contact.*killed[.]nc') && [ -n \"$pid\" ] && "
+      "[ $(pgrep -c -f '^asperity-contact.*killed[.]nc') -eq 3 ] && break; sleep 0.1; done; sleep 1; "
+      "kill -9 $(pgrep -f '^asperity-contact.*killed[.]nc' | tail -1); wait $!");
+  CAPTURE(killed.error);
+  CHECK(killed.exit != 0);
+  CHECK(shell("test -e killed.nc || ls -A | grep killed").exit != 0);
+}
+
+TEST_CASE("a tool that runs as one process refuses to be copied by a launcher", "[ranks][contract]") {
+  for (const std::string tool :
+       {"asperity-stats s.nc", "asperity-generate --shape 8x8 --size 1mm --rq 1um --length 1px"}) {
+    const Outcome refused = shell("OMPI_COMM_WORLD_SIZE=2 " + tool + " -o copied.nc");
+    CHECK(refused.exit == 1);
+    CHECK_THAT(refused.error, ContainsSubstring("2 copies were started"));
+  }
+  CHECK(shell("OMPI_COMM_WORLD_SIZE=1 asperity-stats --version").exit == 0);
+}
