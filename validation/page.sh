@@ -7,7 +7,7 @@ programs=$PWD/build/validation
 
 build() {
   . cmake/packages
-  cmake/install-packages $build $run
+  cmake/install-packages $build $run $test
   [ -f build/build.ninja ] || cmake --preset release --log-level=WARNING
   cmake --build --preset release --target validation asperity_tools >&2
 }
