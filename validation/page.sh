@@ -7,7 +7,7 @@ programs=$PWD/build/validation
 
 build() {
   . cmake/packages
-  cmake/install-packages $build $run
+  cmake/install-packages $build $run $test
   [ -f build/build.ninja ] || cmake --preset release --log-level=WARNING
   cmake --build --preset release --target validation asperity_tools >&2
 }
@@ -55,11 +55,15 @@ versions() {
     sed 's/, $//; s/lib\([a-z0-9]*\)-dev/\1/g; s/\(+dfsg\)\?-[^, ]*//g'
 }
 
-# A page of its own for each chapter.
+# A page of its own for each chapter; a second heading is a section there.
 heading() {
   local name
   name=$(basename "$chapter" .sh)
   name=${name#*-}
+  if [ "${page:-}" = "$results/$name.md" ]; then
+    printf '\n## %s\n' "$1" >>"$page"
+    return
+  fi
   page=$results/$name.md pictured=
   printf '# %s\n\nA chapter of the [results](../RESULTS.md).\n' "$1" >"$page"
   printf '%s\t%s\n' "$name" "$1" >>"$results/chapters.txt"

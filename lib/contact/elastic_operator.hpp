@@ -4,7 +4,10 @@
 /// pressures of zero sum will do: a half-space, a periodic one, a layer, one spread over several machines.
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/field.hpp"
 #include "core/ranks.hpp"
@@ -45,6 +48,14 @@ class ElasticOperator {
   virtual void forget_windows() {}
   /// Spent so far on coefficients, plans and spectra.
   virtual double setup_seconds() const { return 0; }
+  /// Room that the caller may use until the next application.
+  virtual std::span<double> room(std::size_t doubles) {
+    room_.resize(std::max(room_.size(), doubles));
+    return {room_.data(), doubles};
+  }
+
+ private:
+  std::vector<double> room_;
 };
 
 }  // namespace asperity

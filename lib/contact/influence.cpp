@@ -133,6 +133,10 @@ class HalfSpace final : public ElasticOperator {
   double self_influence() const override { return self_; }
   double setup_seconds() const override { return setup_ + (window_ ? window_->setup_seconds() : 0); }
 
+  std::span<double> room(std::size_t doubles) override {
+    return {reinterpret_cast<double*>(room_in(work_, doubles * sizeof(double))), doubles};
+  }
+
   // (1), for images are too far to vary from cell to cell.
   Field near_influence(Index reach) override {
     return Field::NullaryExpr(reach + 1, reach + 1, [&](Index i, Index j) {

@@ -40,7 +40,7 @@ std::array<Extent, 2> box_of(const Grid& grid, const Cells& cells) {
 }
 
 // Of the eight symmetries of a square, those of the cells in the box around them.
-int images_of(const Grid& grid, const Cells& cells) {
+Index images_of(const Grid& grid, const Cells& cells) {
   const auto [x, y] = box_of(grid, cells);
   const Index nx = x.count, ny = y.count;
   auto holds = [&, x = x, y = y](bool mirror_x, bool mirror_y, bool transpose) {
@@ -54,9 +54,21 @@ int images_of(const Grid& grid, const Cells& cells) {
     return true;
   };
   const bool square = nx == ny && std::abs(grid.dx / grid.dy - 1) < 1e-9;
-  int images = 1;
+  Index images = 1;
   for (int k = 1; k < (square ? 8 : 4); ++k) images += holds(k & 1, k & 2, k & 4);
   return images;
+}
+
+// Of the translations along periodic axes: all of an axis if its lines are alike.
+Index translations_of(const Grid& grid, const Cells& cells) {
+  const auto [nx, ny] = grid.shape;
+  bool along_x = grid.periodic.x, along_y = grid.periodic.y;
+  for (Index i = 0; i < nx && (along_x || along_y); ++i)
+    for (Index j = 0; j < ny; ++j) {
+      along_x = along_x && cells(i, j) == cells.around(i + 1, j);
+      along_y = along_y && cells(i, j) == cells.around(i, j + 1);
+    }
+  return (along_x ? nx : 1) * (along_y ? ny : 1);
 }
 
 }  // namespace
@@ -73,7 +85,7 @@ Outline outline(const Grid& grid, const Contact& contact, Contact::State least) 
       if (j + 1 < ny || grid.periodic.y) out.sides_y += in != cells.around(i, j + 1);
     }
   }
-  if (out.sides() > 0) out.images = images_of(grid, cells);
+  if (out.sides() > 0) out.images = images_of(grid, cells) * translations_of(grid, cells);
   return out;
 }
 

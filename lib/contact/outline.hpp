@@ -25,11 +25,11 @@ namespace asperity {
 
 struct Outline {
   Index sides_x = 0, sides_y = 0;  ///< between neighbours along x (each Δy long) and along y (Δx)
-  int images = 1;  ///< mirrorings and turns, the identity included, that carry the cells into themselves
+  Index images = 1;  ///< mirrorings, turns and shifts by whole cells that carry the cells into themselves
 
   double sides() const { return static_cast<double>(sides_x + sides_y); }
   /// √(N m).
-  double scatter() const { return std::sqrt(sides() * images); }
+  double scatter() const { return std::sqrt(sides() * static_cast<double>(images)); }
   double perimeter(const Grid& grid) const {
     return static_cast<double>(sides_x) * grid.dy + static_cast<double>(sides_y) * grid.dx;
   }

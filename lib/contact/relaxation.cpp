@@ -49,7 +49,7 @@ void reorder(Field& f, bool back, int threads) {
 }  // namespace
 
 Relaxation::Relaxation(ElasticOperator& body, int threads)
-    : slabs_(body.slabs()), threads_(useful_threads(body.shape().cells(), threads)) {
+    : body_(body), slabs_(body.slabs()), threads_(useful_threads(body.shape().cells(), threads)) {
   static_assert(strip == Slabs::run);
   const Field k = body.near_influence(reach + 1);
   const double edge = std::max(k(reach + 1, 0), k(0, reach + 1));
@@ -61,7 +61,9 @@ Relaxation::Relaxation(ElasticOperator& body, int threads)
 // Of rows forth and back.
 struct Relaxation::Sweeps {
   const Relaxation& model;
-  Field &p, &d, &loads;
+  Field& p;
+  Rows& d;  // with rows and cells of 0 about it, in order of classes
+  Field& loads;
   const Field& g;
   double approach, cap;
   Classes classes{p.cols()};
@@ -112,27 +114,29 @@ struct Relaxation::Sweeps {
 };
 
 // Of d, what other ranks have made of it.
-void Relaxation::fetch_rows_beside() {
+void Relaxation::fetch_rows_beside(Rows& d) const {
   if (!slabs_.shared()) return;
   const Extent own = slabs_.own();
   std::vector<Index> wanted;
   for (Index k = 1; k <= reach; ++k)
     for (const Index i : {own.first - k, own.end() - 1 + k})
       if (i >= 0 && i < slabs_.rows()) wanted.push_back(i);
-  const Field found = rows_of(d_.middleRows(reach, own.count), slabs_, wanted);
-  for (Index k = 0; k < found.rows(); ++k) d_.row(wanted[size(k)] - own.first + reach) = found.row(k);
+  const Field found = rows_of(d.middleRows(reach, own.count), slabs_, wanted);
+  for (Index k = 0; k < found.rows(); ++k) d.row(wanted[size(k)] - own.first + reach) = found.row(k);
 }
 
 void Relaxation::relax(Field& p, Field& g, double approach, double cap, int sweeps) {
   const Index rows = p.rows(), strips = (rows + strip - 1) / strip, before = slabs_.own().first / strip;
-  d_ = Field::Zero(rows + 2 * reach, block * Classes(p.cols()).stride());
+  const Index length = block * Classes(p.cols()).stride();
+  Rows d(body_.room(size((rows + 2 * reach) * length)).data(), rows + 2 * reach, length);
+  d.setZero();
   loads_ = Field::Zero(blocks_along(rows), blocks_along(p.cols()));
   for (Field* field : {&p, &g}) reorder(*field, false, threads_);
   for (Index kind = 0; kind < sweeps; ++kind) {  // even strips, odd strips of all ranks
     const Index odd = (kind + before) % 2;
-    fetch_rows_beside();
+    fetch_rows_beside(d);
     parallel_ranges((strips + 1 - odd) / 2, threads_, [&](Index begin, Index end, int) {
-      Sweeps both{*this, p, d_, loads_, g, approach, cap};
+      Sweeps both{*this, p, d, loads_, g, approach, cap};
       for (Index k = begin; k < end; ++k) {
         const Index first = (2 * k + odd) * strip, last = std::min(first + strip, rows);
         both.forth(first, last);

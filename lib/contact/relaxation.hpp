@@ -16,7 +16,7 @@
 /// neither reach each other nor share a block, and are relaxed in vector lanes.
 ///
 /// Cost    25 operations a cell and sweep; four sweeps take 0.5 to 0.8 of a padded K.
-/// Memory  a field for d.
+/// Memory  none of its own but for the loads of blocks: d lies in the room that K leaves.
 ///
 /// A. Brandt, C. W. Cryer, Multigrid algorithms for the solution of linear complementarity problems arising
 /// from free boundary problems, SIAM J. Sci. Stat. Comput. 4 (1983) 655-684.
@@ -40,13 +40,15 @@ class Relaxation {
 
  private:
   struct Sweeps;
-  void fetch_rows_beside();
+  using Rows = Eigen::Map<Field>;
+  void fetch_rows_beside(Rows& d) const;
 
+  ElasticOperator& body_;
   Slabs slabs_;
   std::array<std::array<double, reach + 1>, reach + 1> near_;  ///< K_t [m/Pa]
   double held_;                                                ///< β [m/Pa]
   int threads_;
-  Field d_, loads_;  ///< d with rows and cells of 0 about it, in order of classes; Zᵀ d
+  Field loads_;  ///< Zᵀ d
 };
 
 }  // namespace asperity

@@ -189,7 +189,7 @@ Field nested_start(Contact& contact, const Grid& grid, std::vector<CoarseLevel> 
     const WindowedSolution solved =
         minimise_on_window(problem, std::move(start), near, limits, observer(grid, shape, parameters));
     count(contact, solved.convolutions, solved.preconditionings, share_of(shape, grid));
-    const Slabs finer = levels.size() > 1 ? levels.end()[-2].body->slabs() : finest;
+    const Slabs finer = levels.size() > 1 ? levels[levels.size() - 2].body->slabs() : finest;
     start = prolonged(solved.p, body->slabs(), finer, grid.periodic, parameters.threads);
     contact.setup_seconds += body->setup_seconds();
   }

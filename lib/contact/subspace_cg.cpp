@@ -108,11 +108,10 @@ SubspaceResidual SubspaceCG::residual(Block b) {
 bool SubspaceCG::step() {
   ++applications_;
   precondition();
-  const auto [zr, sum_z] = sums_of_z();
-  turn(mean(sum_z), steps_ > 0 ? std::max(0.0, zr - product_before()) / zr_old_ : 0);
-  if (two_level_ != nullptr) std::swap(trial_.before, trial_.spare);
+  const auto [zr, sum_z, zr_before] = sums_of_z();
+  turn(mean(sum_z), steps_ > 0 ? std::max(0.0, zr - zr_before) / zr_old_ : 0);
   problem_.influence->apply_single(trial_.d, trial_.q);
-  const auto [curvature, sum_q] = sums_of_q();
+  const auto [curvature, sum_q, none] = sums_of_q();
   if (!(curvature > 0 && zr > 0)) return false;
   zr_old_ = zr;
   advance(zr / curvature, mean(sum_q));
@@ -120,30 +119,35 @@ bool SubspaceCG::step() {
   return true;
 }
 
-// z in the place of r, which B leaves in `spare`.
+// z in the place of r.
 void SubspaceCG::precondition() {
   if (two_level_ == nullptr) return problem_.influence->precondition(trial_.q, trial_.q);
-  two_level_->apply(trial_.q, trial_.spare);
-  std::swap(trial_.q, trial_.spare);
+  two_level_->apply(trial_.q, trial_.q);
 }
 
-double SubspaceCG::product_before() const {
-  if (two_level_ == nullptr) return 0;
-  return problem_.blocks().sum([&](Block b) { return (b.of(trial_.q) * b.of(trial_.before)).sum(); });
-}
-
-SubspaceCG::Sums SubspaceCG::sums_of_z() const {
+// r follows from g.
+SubspaceCG::Sums SubspaceCG::sums_of_z() {
+  const bool varies = two_level_ != nullptr;
+  if (varies && steps_ == 0) trial_.before.setZero(trial_.q.rows(), trial_.q.cols());
   return problem_.blocks().sum([&, level = mean_gap_](Block b) {
     const auto in_set = b.of(free_.mask);
     const auto z = b.of(std::as_const(trial_.q)), g = b.of(std::as_const(trial_.g));
-    double zr = 0, sum = 0;
+    double zr = 0, sum = 0, zr_before = 0;
 #pragma omp simd reduction(+ : sum, zr)
     for (Index i = 0; i < b.size; ++i) {
       const double zi = in_set[i] * z[i];
       sum += zi;
       zr += zi * (level - g[i]);
     }
-    return Sums{zr, sum};
+    if (varies) {
+      auto before = b.of(trial_.before);
+#pragma omp simd reduction(+ : zr_before)
+      for (Index i = 0; i < b.size; ++i) {
+        zr_before += z[i] * before[i];
+        before[i] = in_set[i] * (level - g[i]);
+      }
+    }
+    return Sums{zr, sum, zr_before};
   });
 }
 
@@ -157,7 +161,7 @@ SubspaceCG::Sums SubspaceCG::sums_of_q() const {
       dq += d[i] * q[i];
       sum += in_set[i] * q[i];
     }
-    return Sums{dq, sum};
+    return Sums{dq, sum, 0};
   });
 }
 

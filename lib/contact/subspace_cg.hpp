@@ -10,7 +10,7 @@
 /// Ribière's.
 ///
 /// Cost: an application of K, one of M, and four passes a step, a third of the operators' time.
-/// Memory: four fields and a mask; r, z and q are never wanted at once and share one, r following from g. Two
+/// Memory: four fields and a mask; r, z and q are never wanted at once and share one, r following from g. One
 /// more with B.
 ///
 /// I. A. Polonsky, L. M. Keer, A numerical method for solving rough contact problems based on the multi-level
@@ -48,11 +48,11 @@ struct FreeSet {
 
 /// A pressure, its gap, a direction and the direction's displacement.
 struct Trial {
-  Field p;                        ///< [Pa]
-  Field g;                        ///< h + K p [m]
-  Field d;                        ///< [Pa]
-  Field q;                        ///< K d [m]; r and M r between
-  Field before = {}, spare = {};  ///< r of the step before, and room for r and B r; empty where M serves
+  Field p;            ///< [Pa]
+  Field g;            ///< h + K p [m]
+  Field d;            ///< [Pa]
+  Field q;            ///< K d [m]; r and M r between
+  Field before = {};  ///< r of the step before; empty where M serves
 };
 
 /// r of all cells or some.
@@ -93,13 +93,12 @@ class SubspaceCG {
   double mean(double sum) const { return problem_.approach ? 0 : sum / free_.cells; }
   /// The product with another vector, and the sum over F.
   struct Sums {
-    double product = 0, sum = 0;
-    void operator+=(const Sums& other) { product += other.product, sum += other.sum; }
+    double product = 0, sum = 0, before = 0;
+    void operator+=(const Sums& other) { product += other.product, sum += other.sum, before += other.before; }
   };
   void precondition();
-  double product_before() const;  ///< z·r_old
-  Sums sums_of_z() const;         ///< z·r
-  Sums sums_of_q() const;         ///< d·q
+  Sums sums_of_z();        ///< z·r, and z·r_old, in whose place comes r
+  Sums sums_of_q() const;  ///< d·q
   SubspaceResidual residual(Block b);
   void turn(double mean_z, double beta);
   void advance(double a, double mean_q);

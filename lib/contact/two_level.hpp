@@ -55,7 +55,7 @@ class TwoLevel {
   /// bodies on any grid, √N for N alike. It grows as the grid is refined where holes and islands of any size
   /// appear, the sets for which M alone does not do.
   double raggedness() const { return raggedness_; }
-  /// z = B r of an r that is 0 off F, as z is.
+  /// z = B r of an r that is 0 off F, as z is. `z` may be `r`.
   void apply(const Field& r, Field& z);
   /// Of K_c, and of M_c, since F was set, by their share of the cells.
   double coarse_applications() const;

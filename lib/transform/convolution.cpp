@@ -49,6 +49,14 @@ Shape padded_torus(Shape field) {
   return {fast_length(2 * field.nx - 1, 2), fast_length(2 * field.ny - 1, 2)};
 }
 
+std::byte* room_in(const WorkSpace& work, std::size_t bytes) {
+  if (work->size() < bytes) {
+    WorkSpace::element_type().swap(*work);  // never both at once
+    work->resize(bytes);
+  }
+  return work->data();
+}
+
 Extent symbol_columns(Shape torus, const Ranks& ranks, int rank) {
   const Extent blocks = PrunedTransform::blocks_of(torus, ranks, rank);
   const Index first = blocks.first * width;
@@ -143,9 +151,8 @@ BasicEvenConvolution<Real>::BasicEvenConvolution(const BasicEvenConvolution<Othe
 
 template <class Real>
 auto BasicEvenConvolution<Real>::half_spectrum() const -> std::span<Number> {
-  const std::size_t points = size(transform_.half_size()), room = points * sizeof(Number);
-  if (work_->size() < room) *work_ = WorkSpace::element_type(room);
-  return {reinterpret_cast<Number*>(work_->data()), points};
+  const std::size_t points = size(transform_.half_size());
+  return {reinterpret_cast<Number*>(room_in(work_, points * sizeof(Number))), points};
 }
 
 template <class Real>

@@ -37,6 +37,8 @@ inline Extent symbol_columns(Shape torus, const Ranks& ranks) {
 
 /// Memory that convolutions use in turn.
 using WorkSpace = std::shared_ptr<AlignedVector<std::byte>>;
+/// Of so many bytes at least, whatever they hold.
+std::byte* room_in(const WorkSpace& work, std::size_t bytes);
 
 template <class Real>
 class BasicEvenConvolution {

@@ -8,11 +8,13 @@ namespace {
 
 // Cells at 0, free ones and cells at c = 1; gaps of ±1 about δ = 0.5, those at a bound times `drive`.
 struct Cells {
+  std::unique_ptr<ElasticOperator> body = make_influence({{30, 40}, 1e-6, 1e-6}, modulus);
   ContactProblem problem;
   Field p, g;
 
   explicit Cells(double drive)
       : p((1.5 * random_field({30, 40}, 1)).max(0.0).min(1.0)), g(random_field({30, 40}, 2)) {
+    problem.influence = body.get();
     problem.h = Field::Zero(30, 40);
     problem.cap = 1;
     g = 0.5 + (p > 0 && p < 1).select(g, drive * g);

@@ -70,3 +70,20 @@ TEST_CASE("the correction takes 0.118 of a cell a side, the scatter grows with t
   CHECK(area_scatter(grid, rim) == Approx((0.5 * std::sqrt(rim.sides()) + 0.03 * rim.sides()) * 0.25));
   CHECK(area_excess(grid, rim) >= area_scatter(grid, rim));
 }
+
+// A line contact along a line of the grid repeats one piece of its outline: its area is a whole cell off at
+// most each way, and 0.5 √(2n · 2n) + 0.03 · 2n cells are more than that of n.
+TEST_CASE("straight edges along the grid repeat one piece, and their area lies within its error",
+          "[contact][law]") {
+  for (const bool turned : {false, true}) {
+    const Grid grid{turned ? Shape{40, 96} : Shape{96, 40}, 0.5, 0.5, true};
+    for (double half = 4; half < 5; half += 0.05) {
+      const Contact strip =
+          cells(grid, [&](double x, double y) { return std::abs((turned ? y : x) - 0.013) < half; });
+      const Outline rim = outline(grid, strip);
+      CAPTURE(turned, half, rim.images);
+      CHECK(rim.images % 40 == 0);
+      CHECK(std::abs(corrected_area(grid, strip.area, rim) - 2 * half * 20) <= area_scatter(grid, rim));
+    }
+  }
+}

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/launch.hpp"
 #include "tools/cli/place.hpp"
 
 namespace asperity::cli {
@@ -236,8 +237,9 @@ bool stdin_is_device() {
   return ::fstat(STDIN_FILENO, &status) == 0 && S_ISCHR(status.st_mode);
 }
 bool stdin_is_terminal() { return ::isatty(STDIN_FILENO) == 1; }
-bool stdout_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
-bool stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+// A launcher has terminals of its own, wherever its output goes.
+bool stdout_is_terminal() { return ranks_started() == 1 && ::isatty(STDOUT_FILENO) == 1; }
+bool stderr_is_terminal() { return ranks_started() == 1 && ::isatty(STDERR_FILENO) == 1; }
 
 std::size_t columns_of(int fd, std::size_t most) {
   winsize size{};

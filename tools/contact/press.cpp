@@ -43,7 +43,9 @@ void Influences::put_back(std::unique_ptr<Influence> one) {
 
 Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence) {
   ElasticOperator& body = influence.on(scene.grid);
-  Pressed out{solve_contact(scene.grid, scene.gap, body, options.contact), {}, {}};
+  const bool pressed_again = options.adds("grid_errors");  // on coarser cells; else the gap has served
+  Field gap = pressed_again ? scene.gap : std::move(scene.gap);
+  Pressed out{solve_contact(scene.grid, std::move(gap), body, options.contact), {}, {}};
   out.contact.setup_seconds = influence.further_seconds();
   out.figures = grid_figures(options, scene, body, out.contact);
   record(scene, options, out.contact, out.figures);

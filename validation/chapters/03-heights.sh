@@ -36,7 +36,7 @@ END
 table heights_plane-1 '$c["skewness"] == 0 || $c["skewness"] == 1 || $c["skewness"] == 3 || $c["skewness"] == 10' \
   skewness kurtosis family gamma delta of_skewness of_kurtosis fit_us apply_ns orders tail least exponential gaussian filter
 claim "Moments are met to 1e-10, or the pair is refused." heights_plane-1 '$3 != "refused"' \
-  '$c["of_skewness"] ^ 2 <= 1e-20 && $c["of_kurtosis"] ^ 2 <= 1e-20'
+  'abs($c["of_skewness"]) <= 1e-10 && abs($c["of_kurtosis"]) <= 1e-10'
 claim "An exponential autocorrelation is met within 1e-3 for all heights." heights_plane-1 '$3 != "refused"' \
   '$c["exponential"] + 0 <= 1e-3'
 text <<'END'
@@ -55,7 +55,7 @@ END
 table heights_error_time-1 1 target skewness kurtosis family solve surface whole answer acf_error naive mean_skewness \
   skewness_error mean_kurtosis kurtosis_error acf_z target_z filter
 claim "Mean skewness and kurtosis are the prescribed ones, within five standard errors." heights_error_time-1 1 \
-  '($c["mean_skewness"] - $c["skewness"]) ^ 2 <= 25 * $c["skewness_error"] ^ 2 && ($c["mean_kurtosis"] - $c["kurtosis"]) ^ 2 <= 25 * $c["kurtosis_error"] ^ 2'
+  'abs($c["mean_skewness"] - $c["skewness"]) <= 5 * $c["skewness_error"] && abs($c["mean_kurtosis"] - $c["kurtosis"]) <= 5 * $c["kurtosis_error"]'
 claim "The autocorrelation meets an exponential target to 1e-3." heights_error_time-1 \
   '$c["target"] != "gaussian"' '$c["acf_error"] <= 1e-3'
 text <<'END'
