@@ -69,6 +69,7 @@ through their pipes in memory.")
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME asperity-mpi)
 set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "asperity ${same_version}, openmpi-bin")
+set(CPACK_DEBIAN_MPI_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/package/triggers)
 set(CPACK_DEBIAN_MPI_DESCRIPTION "random rough surfaces: one problem on many machines
 With this module asperity-contact solves one problem by several processes
 under mpirun or srun, each of which holds a part of the surface.")

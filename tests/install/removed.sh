@@ -18,7 +18,7 @@ run() {
 before=$(files "$1")
 run "$1" -i "$packages"/*.deb
 [ -x "$1/usr/bin/asperity-generate" ]
-[ "$(wc -l <"$1/var/ldconfig")" -eq 1 ]
+[ "$(wc -l <"$1/var/ldconfig")" -eq 2 ]  # for libasperity and asperity-mpi
 run "$1" --purge asperity-mpi python3-asperity asperity libasperity-dev "libasperity${version%.*}"
-[ "$(wc -l <"$1/var/ldconfig")" -ge 2 ]
+[ "$(wc -l <"$1/var/ldconfig")" -ge 4 ]
 diff <(echo "$before") <(files "$1")

@@ -124,7 +124,7 @@ TEST_CASE("the profile PSD is the mean of the profiles' own and adds up to Sq sq
 
 // C = π l² exp(-q²l²/4) and C1 = √π l exp(-q²l²/4). Deviations in standard errors, the sum of whose squares
 // has the mean 1 a ring; the errors are estimates too, so that few wave numbers give more: rings of 12 and
-// more, and 8 fields together. 60 rings: spread √(2/60) = 18 %, four of them.
+// more, and 8 fields together. Of n squares of normal deviations the mean has the spread √(2/n); four of them.
 TEST_CASE("radial and profile PSD of a Gaussian field are those of its autocorrelation, within their errors",
           "[spectrum][statistics]") {
   const Grid g{{128, 128}, 1e-6, 1e-6, true};
@@ -150,8 +150,8 @@ TEST_CASE("radial and profile PSD of a Gaussian field are those of its autocorre
     }
   }
   CHECK(rings >= 100);
-  CHECK(squares / rings == Approx(1).margin(0.6));
-  CHECK(row_squares / rows == Approx(1).margin(0.6));
+  CHECK(squares / rings == Approx(1).margin(4 * std::sqrt(2 / rings)));
+  CHECK(row_squares / rows == Approx(1).margin(4 * std::sqrt(2 / rows)));
 }
 
 // White noise of variance 1: C = ΔxΔy; chance of a mean over 128 × 100 wave numbers with I² = 3.8: 2.4 %, and

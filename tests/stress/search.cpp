@@ -37,7 +37,7 @@ Grid wide_grid(Index n) { return {{n, n}, 5.0 / static_cast<double>(n), 5.0 / st
 
 }  // namespace
 
-// The stress is off by 0.25 h² of p0 and the search by 8e-5 of its value (stress_error_time); the closed
+// The stress is off by 0.25 h² of p0 and the search by 2e-6 of its value (stress_error_time); the closed
 // form is looked at every 0.01, beside a maximum by 0.005 at most: of a curvature of 2 p0 at the most, 1e-4.
 TEST_CASE("from a depth on, the largest von Mises, shear and principal stress are those of Hertz' field",
           "[maximum][exact]") {

@@ -47,10 +47,10 @@ claim "At a tolerance of 1e-4 the error of the area is at most 1e-2, of the grea
   '$c["method"] == "guarded" && $c["tol"] == 1e-4' 'abs($c["area_error"]) <= 1e-2 && abs($c["p_error"]) <= 1e-3'
 text <<'END'
 Polonsky and Keer's conjugate gradients lose their conjugacy each time a cell enters or leaves the contact, on rough surfaces at
-nearly every step. At 256 × 256 cells they need four to eighteen times the convolutions of Asperity's solver, most on rough
+nearly every step. At 256 × 256 cells and 1e-8 they need four to twenty-two times the convolutions of Asperity's solver, most on rough
 spheres. On the smooth scenes A and D they never reach 1e-10 within 600. Cells that come and go do not disturb the projected
 gradient, and it overtakes them where there are many such cells, although it has no memory. Four more digits cost the solver a half
-to three quarters of the first four: most of the time goes into finding the cells in contact.
+to four fifths of the first four: most of the time goes into finding the cells in contact.
 END
 heading "Errors of the grid, stated and true"
 run contact_grid_error $(size "105 256" "252 2048")

@@ -17,7 +17,7 @@ plot for [i=1:2] '@stress_error_time-1.tsv' using 9:(strcol(1) eq word(cases, i)
 END
 table stress_error_time-1
 claim "The error of the stress is at most 0.25 (h/a)² of the largest pressure, on n cells of h = 3a/n." stress_error_time-1 1 '$c["error"] <= 0.25 * (3 / $c["n"]) ^ 2'
-claim "The search finds the largest stress within 0.25 (h/a)² + 8e-5." stress_error_time-1 1 'abs($c["maximum"]) <= 0.25 * (3 / $c["n"]) ^ 2 + 8e-5'
+claim "The search finds the largest stress within 0.25 (h/a)² + 2e-6." stress_error_time-1 1 'abs($c["maximum"]) <= 0.25 * (3 / $c["n"]) ^ 2 + 2e-6'
 text <<'END'
 The error comes from the cells, not from the summation: order two, with nearly the same constant at rest and sliding. With
 friction a layer costs only half as much again, or somewhat more, because it shares the transform of the pressure. The depth of
@@ -45,7 +45,7 @@ beside Hamilton's closed form, and what the search finds on the largest grid:
 END
 table stress_edge-1
 claim "The closed form has the published figures, to their four digits." stress_edge-1 1 'abs($c["closed_form"] - $c["published"]) <= 5.1e-5'
-claim "Below the surface the search finds them within 0.25 (h/a)² + 8e-5 of 128 cells." stress_edge-1 '$c["mu"] < 0.3' 'abs($c["found_error"]) <= 0.25 * (3 / 128) ^ 2 + 8e-5'
+claim "Below the surface the search finds them within 0.25 (h/a)² + 2e-6 of 128 cells." stress_edge-1 '$c["mu"] < 0.3' 'abs($c["found_error"]) <= 0.25 * (3 / 128) ^ 2 + 2e-6'
 text <<'END'
 From μ = 0.305 on (ν = 0.3) the largest stress lies at that edge, on the surface:
 END
