@@ -1,6 +1,7 @@
 #include "contact/stiffness.hpp"
 
 #include <memory>
+#include <utility>
 
 #include "contact/subspace_cg.hpp"
 #include "core/calibration.hpp"
@@ -44,15 +45,24 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
   problem.approach = 1;  // of K q
   Trial trial;
   const auto two_level = two_level_on(free, body, threads);
-  SubspaceCG cg(problem, free, none, none, trial, two_level.get());
-  while (cg.residual().largest > stiffness_tolerance / 2 && asked + cg.applications() < convolutions &&
-         cg.step()) {
+  // K of the steps is in single precision, which near full contact is too little for all of q at once: then
+  // again from what the exact K leaves, while that helps.
+  Stiffness out{.residual = infinity, .convolutions = static_cast<double>(asked)};
+  Field p, g;
+  for (bool first = true;; first = false, p = trial.p, g = trial.g) {
+    if (two_level) two_level->set(free.mask);
+    SubspaceCG cg(problem, free, first ? none : p, first ? none : g, trial, two_level.get());
+    while (cg.residual().largest > stiffness_tolerance / 2 &&
+           out.convolutions + cg.applications() < convolutions && cg.step()) {
+    }
+    out.convolutions += cg.applications() + 1;
+    out.preconditionings += cg.applications();
+    body.apply(trial.p, trial.g);
+    const SubspaceCG fresh(problem, free, trial.p, trial.g, trial);
+    const double before = std::exchange(out.residual, fresh.residual().largest);
+    const bool helps = out.residual < before / 2 && out.convolutions < convolutions;
+    if (out.residual <= stiffness_tolerance || !helps) break;
   }
-  body.apply(trial.p, trial.g);
-  const SubspaceCG fresh(problem, free, trial.p, trial.g, trial);
-  Stiffness out{.residual = fresh.residual().largest,
-                .convolutions = asked + cg.applications() + 1,
-                .preconditionings = cg.applications()};
   if (out.residual <= stiffness_tolerance)
     out.value = cell_area *
                 problem.blocks().sum([&](Block b) { return (b.of(trial.p) * (2 - b.of(trial.g))).sum(); });

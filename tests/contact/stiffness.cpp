@@ -196,3 +196,17 @@ TEST_CASE("a stiffness that is cut short is not a number", "[stiffness][contract
   CHECK(std::isnan(unsolved.stiffness));
   CHECK(std::isnan(solve_contact(grid, gap, modulus, {.load = load}).stiffness));
 }
+
+// The steps of K are in single precision from 256 x 256 cells on: near full contact, where q is large
+// and K q is not, they alone left a residual of 1e-5.
+TEST_CASE("the stiffness converges near full contact too", "[stiffness][exact]") {
+  const Grid grid = periodic(square(384, 1e-3));
+  constexpr double depth = 1e-6;
+  const Field gap = sample(grid, [](double x, double y) {
+    return -depth * std::cos(2 * pi * x / 1e-3) * std::cos(2 * pi * y / 1e-3);
+  });
+  const double full = std::sqrt(2.0) * pi * modulus * depth / 1e-3;
+  const Contact contact = press(grid, gap, {.load = 0.95 * full * 1e-6, .stiffness = true});
+  CHECK(contact.stiffness_residual <= 1e-6);
+  CHECK(contact.stiffness > 0);
+}
