@@ -205,7 +205,7 @@ void ContactOptions::check_ranks(const Tool& tool) {
   if (tool.given("--accuracy")) throw UsageError("accuracy", "cannot be reached" + why);
   if (adds("grid_errors")) throw UsageError("add", "grid_errors cannot be computed" + why);
   if (!smooth && surfaces.takes_standard_input())
-    throw UsageError("input", "standard input reaches the first rank alone: name a file");
+    throw UsageError("INPUT", "standard input reaches the first rank alone: name a file");
 }
 
 void ContactOptions::check_streams(Tool& tool) {
@@ -216,7 +216,7 @@ void ContactOptions::check_streams(Tool& tool) {
   if (!smooth) surfaces_ = surfaces.resolve(tool);
   if (several() && ranks->count() > 1)
     throw UsageError(
-        "input", fmt::format("{} surfaces cannot be pressed by {} ranks: start a process for each", surfaces_,
+        "INPUT", fmt::format("{} surfaces cannot be pressed by {} ranks: start a process for each", surfaces_,
                              ranks->count()));
   tool.writes_dataset(!tabulates());
   if (tabulates()) return check_table(tool);
