@@ -25,22 +25,15 @@ void compute(cli::Tool& tool, cli::StressOptions& options, const cli::StressSele
   const cli::Inventory before(scene.data);
   cli::drop_results(scene.data, "stress");
 
-  const auto threads = tool.thread_count();
-  const bool through_maximum = cli::through_maximum(options.section);
-  std::optional<StressSolver> solver;
-  if (!scene.plane) solver.emplace(scene.body, std::nullopt, threads, scene.resolution);
   double largest = 0;    // von Mises stress
   bool shallow = false;  // as a warning of the maximum said
-  if (options.maximum || through_maximum) {
-    const StressMaximum top =
-        solver ? cli::find_maximum(tool, scene, search, *solver)
-               : cli::find_maximum(tool, scene, search, StressSolver(scene.body, threads, scene.resolution));
+  if (options.maximum || cli::through_maximum(options.section)) {
+    const StressMaximum top = cli::find_maximum(tool, scene, search);
     if (search.of == Criterion::von_mises) largest = top.value;
     shallow = cli::is_shallow(scene.body, top.depth);
     if (loading && top.value > 0) cli::record_grid_errors(tool, scene, *loading, search, top);
-    if (through_maximum) cli::cut(scene, options.section, {top.x, top.y});
+    if (cli::through_maximum(options.section)) cli::cut(scene, options.section, {top.x, top.y});
   }
-  if (scene.plane) solver.emplace(scene.body, scene.plane, threads, scene.resolution);
   cli::record_parameters(scene);
   auto record_time = [&](Attributes& a) { a.set("stress_seconds", cli::on_record(clock.seconds())); };
   record_time(scene.data.attributes);
@@ -48,7 +41,8 @@ void compute(cli::Tool& tool, cli::StressOptions& options, const cli::StressSele
   if (scene.depths.empty()) {
     tool.write(scene.data);
   } else {
-    cli::StressWriter writer(tool, scene, selection, *solver);
+    const StressSolver solver(scene.body, scene.plane, tool.thread_count(), scene.resolution);
+    cli::StressWriter writer(tool, scene, selection, solver);
     writer.write(record_time);
     largest = std::max(largest, writer.largest("von_mises"));
   }

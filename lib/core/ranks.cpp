@@ -104,4 +104,23 @@ Field rows_of(const ConstRows& own, const Slabs& slabs, Extent wanted) {
   return rows_of(own, slabs, rows);
 }
 
+Field transposed(const ConstRows& own, const Slabs& slabs) {
+  const Ranks& ranks = slabs.ranks();
+  const Slabs columns(own.cols(), ranks);
+  std::vector<std::vector<double>> to(static_cast<std::size_t>(ranks.count()));
+  for (int r = 0; r < ranks.count(); ++r) {
+    const Field theirs = own.middleCols(columns.of(r).first, columns.of(r).count).transpose();
+    to[static_cast<std::size_t>(r)].assign(theirs.data(), theirs.data() + theirs.size());
+  }
+  const Index here = columns.own().count;
+  const auto parts = exchanged(ranks, to, [&](int r) { return here * slabs.of(r).count; });
+  Field out(here, slabs.rows());
+  for (int r = 0; r < ranks.count(); ++r) {
+    const Extent rows = slabs.of(r);
+    out.middleCols(rows.first, rows.count) =
+        Eigen::Map<const Field>(parts[static_cast<std::size_t>(r)].data(), here, rows.count);
+  }
+  return out;
+}
+
 }  // namespace asperity

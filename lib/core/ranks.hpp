@@ -46,13 +46,11 @@ class Slabs {
  public:
   static constexpr Index run = 64;
 
-  explicit Slabs(Index rows, const Ranks& ranks = alone()) : rows_(rows), ranks_(&ranks) {}
+  /// In runs of 64, unless what is shared wants other ones.
+  explicit Slabs(Index rows, const Ranks& ranks = alone(), Index run_of = run)
+      : rows_(rows), run_(run_of), ranks_(&ranks) {}
   /// Of rows that stand for `factor` each, 64 a multiple of it: a rank holds those of its own.
-  Slabs coarsened(Index factor) const {
-    Slabs out((rows_ + factor - 1) / factor, *ranks_);
-    out.run_ = run_ / factor;
-    return out;
-  }
+  Slabs coarsened(Index factor) const { return Slabs((rows_ + factor - 1) / factor, *ranks_, run_ / factor); }
 
   const Ranks& ranks() const { return *ranks_; }
   bool shared() const { return ranks_->count() > 1; }
@@ -70,7 +68,7 @@ class Slabs {
     return std::min(rows_, runs * rank / ranks_->count() * run_);
   }
 
-  Index rows_, run_ = run;
+  Index rows_, run_;
   const Ranks* ranks_;
 };
 
@@ -90,6 +88,9 @@ using ConstRows = Eigen::Ref<const Field>;
 /// Rows of a field by their number, whoever holds them; each rank wants its own.
 Field rows_of(const ConstRows& own, const Slabs& slabs, const std::vector<Index>& wanted);
 Field rows_of(const ConstRows& own, const Slabs& slabs, Extent wanted);
+
+/// The columns of the same field that fall to this rank, dealt as rows, each as a row.
+Field transposed(const ConstRows& own, const Slabs& slabs);
 
 // ---- implementation ----
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "core/calibration.hpp"
 #include "stress/influence.hpp"
@@ -29,10 +31,13 @@ double largest_norm(double poisson, stress::Traction load) {
 }  // namespace
 
 double stress_bound(const LoadedBody& body) {
+  const Eigen::ArrayXd of_rows = body.pressure.abs().rowwise().sum();
+  const auto all = gathered(*body.ranks, std::vector<double>(of_rows.begin(), of_rows.end()));
+  const double pressed = std::accumulate(all.begin(), all.end(), 0.0);
   if (body.grid.periodic.any()) return std::numeric_limits<double>::infinity();
   const double friction = body.friction.coefficient,
                sliding = friction > 0 ? friction * largest_norm(body.poisson, stress::shear_x) : 0;
-  return std::sqrt(1.5) * (largest_norm(body.poisson, stress::normal) + sliding) * body.pressure.abs().sum() *
+  return std::sqrt(1.5) * (largest_norm(body.poisson, stress::normal) + sliding) * pressed *
          body.grid.cell_area();
 }
 

@@ -162,7 +162,7 @@ class ImageInfluence final : public LayerInfluence {
                    : ImageSum(r.transform.torus().ny, lags_.nx, r.cells.dy, r.cells.dx, r.taper[0], poisson)),
         along_x_(r.transform.torus().nx),
         along_y_(r.transform.torus().ny),
-        columns_(r.transform.blocks(), acting),
+        columns_(r.transform.blocks(), acting, r.transform.slabs().ranks()),
         work_(size(threads), Work(*this)) {}
 
   void set_depth(double z, stress::Set asked, Index) override {
@@ -176,13 +176,15 @@ class ImageInfluence final : public LayerInfluence {
   void set_component(Component c, KernelRoom room) override {
     c_ = c;
     columns_.settle(lags_.nx, room);
+    const Extent own = columns_.own_lags();
+    const int threads = static_cast<int>(work_.size());
     for (Traction t : stress::tractions)
       if (acting_[t])
-        parallel_ranges((lags_.nx + width - 1) / width, static_cast<int>(work_.size()),
-                        [&](Index begin, Index end, int worker) {
-                          for (Index first = begin * width; first < end * width; first += width)
-                            transform_along_y(t, first, work_[size(worker)]);
-                        });
+        parallel_ranges((own.count + width - 1) / width, threads, [&](Index begin, Index end, int worker) {
+          for (Index k = begin; k < end; ++k)
+            transform_along_y(t, own.first + k * width, work_[size(worker)]);
+        });
+    columns_.complete(threads);
   }
 
   TransferFunction transfer_function(Traction t, Index b, int worker) override {
@@ -192,7 +194,7 @@ class ImageInfluence final : public LayerInfluence {
     return {work.transfer[t], along_x_.stride()};
   }
 
-  std::span<const double> by_lags(Traction t, Index b) override {
+  std::span<const double> by_lags(Traction t, Index b, int) override {
     return {columns_.block(t, b), size(lags_.nx * width)};
   }
 
@@ -222,7 +224,7 @@ class ImageInfluence final : public LayerInfluence {
     for (Index b = 0; b < columns_.blocks(); ++b)
       for (Index l = 0; l < count; ++l) {
         const Complex* row = work.spectrum.data() + l / 2 * along_y_.stride() + b * width;
-        double* column = columns_.block(t, b) + (first + l) * width;
+        double* column = columns_.place(t, b, first + l);
         const Index modes =
             std::min(width, along_y_.period() / 2 + 1 - b * width);  // what follows is scratch
         for (Index q = 0; q < width; ++q)

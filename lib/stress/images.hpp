@@ -12,7 +12,7 @@
 ///
 /// Symbols   K  kernel of a cell, stress/influence.hpp     n  cells Δx of a period
 /// Accuracy  1e-11 of the largest pressure.
-/// Cost      the corners of ten periods in place of one.
+/// Cost      the corners of ten periods in place of one; of several ranks each computes all.
 #pragma once
 
 #include <memory>

@@ -2,42 +2,84 @@
 ///
 /// They are read block by block while the layer's half spectrum is written block by block, and lie where that
 /// will be as far as there is room: two kernels of a free layer, three of a coarse one. A pressure with a
-/// traction along an axis thus needs no memory for its kernels.
+/// traction along an axis thus needs no memory for its kernels. Of several ranks each writes some lags of all
+/// blocks there, and keeps all lags of its own blocks beside it.
 #pragma once
 
+#include <algorithm>
+
 #include "stress/layer_influence.hpp"
+#include "transform/block_exchange.hpp"
 
 namespace asperity {
 
 class KernelColumns {
  public:
   KernelColumns() = default;
-  KernelColumns(Index blocks, stress::Tractions acting) : blocks_(blocks), acting_(acting) {}
+  KernelColumns(Index blocks, stress::Tractions acting, const Ranks& ranks)
+      : blocks_(blocks), acting_(acting), lags_(0, ranks) {}
 
   Index blocks() const { return blocks_; }
-  double* block(stress::Traction t, Index b) const { return place_[t].first + b * place_[t].stride; }
+  /// The lags that this rank writes, in eights.
+  Extent own_lags() const { return lags_.own(); }
+  /// Where it writes the eight values of a lag.
+  double* place(stress::Traction t, Index b, Index lag) const {
+    return place_[t].first + b * place_[t].stride + (lag - own_lags().first) * width;
+  }
+  /// All lags of a block, when they are complete.
+  const double* block(stress::Traction t, Index b) const {
+    return lags_.shared() ? own_[t].data() + (b - own_blocks().first) * lags_.rows() * width
+                          : place_[t].first + b * place_[t].stride;
+  }
 
   /// For kernels of so many lags.
   void settle(Index lags, KernelRoom room) {
-    const Index needed = lags * LayerInfluence::width;
+    lags_ = Slabs(lags, lags_.ranks(), width);
+    const Index needed = own_lags().count * width;
     Index taken = 0;
     for (stress::Traction t : stress::tractions) {
       if (!acting_[t]) continue;
       if (room.first != nullptr && taken + needed <= room.stride) {
-        place_[t] = {room.first + taken, room.stride};
+        // What goes to other ranks lies in one piece.
+        place_[t] = lags_.shared() ? KernelRoom{room.first + taken * blocks_, needed}
+                                   : KernelRoom{room.first + taken, room.stride};
         taken += needed;
       } else {
-        own_[t].resize(size(blocks_ * needed));
-        place_[t] = {own_[t].data(), needed};
+        written_[t].resize(size(blocks_ * needed));
+        place_[t] = {written_[t].data(), needed};
       }
     }
   }
 
+  /// When all lags are written; collective.
+  void complete(int threads) {
+    if (!lags_.shared()) return;
+    for (stress::Traction t : stress::tractions)
+      if (acting_[t]) complete(t, threads);
+  }
+
  private:
+  static constexpr Index width = LayerInfluence::width;
+  static_assert(width == BlockExchange<double>::width);
+
+  Extent own_blocks() const { return blocks_of(blocks_, lags_.ranks(), lags_.ranks().rank()); }
+  void complete(stress::Traction t, int threads) {
+    own_[t].resize(size(own_blocks().count * lags_.rows() * width));
+    double* to = own_[t].data();
+    BlockExchange<double> exchange(lags_, blocks_, threads);
+    for (Index step = 0; step < exchange.steps(); ++step) {
+      exchange.fetch(step, {place_[t].first, size(blocks_ * place_[t].stride)});
+      for (Index k = 0; k < exchange.at_hand(step).count; ++k)
+        for (int r = 0; r < lags_.ranks().count(); ++r)
+          to = std::ranges::copy(exchange.part(step, k, r), to).out;
+    }
+  }
+
   Index blocks_ = 0;
   stress::Tractions acting_;
+  Slabs lags_{0};
   std::array<KernelRoom, 3> place_{};
-  std::array<AlignedVector<double>, 3> own_;
+  std::array<AlignedVector<double>, 3> written_, own_;
 };
 
 }  // namespace asperity

@@ -46,7 +46,7 @@ class HalfSpaceInfluence : public LayerInfluence {
         along_x_(r.transform.torus().nx),
         along_y_(r.transform.torus().ny),
         work_(size(threads), Work(*this)) {
-    columns_.fill({r.transform.blocks(), acting});
+    columns_.fill({r.transform.blocks(), acting, r.transform.slabs().ranks()});
   }
 
   void set_depth(double z, stress::Set asked, Index lags) override {
@@ -71,7 +71,7 @@ class HalfSpaceInfluence : public LayerInfluence {
     return {work.transfer[t], along_x_.stride()};
   }
 
-  std::span<const double> by_lags(Traction t, Index b) override {
+  std::span<const double> by_lags(Traction t, Index b, int) override {
     return {columns_[c_].block(t, b), size(lags_ * width)};
   }
 
@@ -95,13 +95,18 @@ class HalfSpaceInfluence : public LayerInfluence {
 
   // Kernels that are evaluated together share their roots and arcs.
   void compute(stress::Set asked, KernelRoom room) {
+    Extent own;
+    for (Component c : stress::components) {
+      if (!asked[c]) continue;
+      columns_[c].settle(lags_, room);
+      own = columns_[c].own_lags();
+    }
+    const int threads = static_cast<int>(work_.size());
+    parallel_ranges((own.count + width - 1) / width, threads, [&](Index begin, Index end, int worker) {
+      for (Index k = begin; k < end; ++k) transform_rows(asked, own.first + k * width, work_[size(worker)]);
+    });
     for (Component c : stress::components)
-      if (asked[c]) columns_[c].settle(lags_, room);
-    parallel_ranges((lags_ + width - 1) / width, static_cast<int>(work_.size()),
-                    [&](Index begin, Index end, int worker) {
-                      for (Index i = begin * width; i < end * width; i += width)
-                        transform_rows(asked, i, work_[size(worker)]);
-                    });
+      if (asked[c]) columns_[c].complete(threads);
   }
 
   void transform_rows(stress::Set asked, Index first_row, Work& work) const {
@@ -129,7 +134,7 @@ class HalfSpaceInfluence : public LayerInfluence {
       for (Index l = 0; l < rows; ++l) {
         const auto* row = reinterpret_cast<const double*>(work.along_y_pairs.data() +
                                                           l / 2 * along_y_.stride() + b * width);
-        double* column = columns_[c].block(t, b) + (first_row + l) * width;
+        double* column = columns_[c].place(t, b, first_row + l);
         for (Index q = 0; q < width; ++q) column[q] = scale * row[2 * q + l % 2];
       }
   }
@@ -157,7 +162,11 @@ class HalfSpaceInfluence : public LayerInfluence {
 class PeriodicInfluence : public LayerInfluence {
  public:
   PeriodicInfluence(const Grid& grid, double poisson, stress::Tractions acting, int threads)
-      : grid_(grid), poisson_(poisson), stride_(grid.shape.nx / 2 + 1), transfer_(size(threads)) {
+      : grid_(grid),
+        poisson_(poisson),
+        stride_(grid.shape.nx / 2 + 1),
+        transfer_(size(threads)),
+        modes_(size(threads)) {
     for (auto& transfer : transfer_)
       for (Traction t : stress::tractions)
         if (acting[t]) transfer[t].resize(size(stride_ * width / 2));
@@ -174,11 +183,12 @@ class PeriodicInfluence : public LayerInfluence {
     return {transfer, stride_};
   }
 
-  std::span<const double> by_lags(Traction t, Index b) override {
-    modes_.resize(size(stride_ * width));
+  std::span<const double> by_lags(Traction t, Index b, int worker) override {
+    AlignedVector<double>& modes = modes_[size(worker)];
+    modes.resize(size(stride_ * width));
     for (Index kx = 0; kx < stride_; ++kx)
-      for (Index q = 0; q < width; ++q) modes_[size(kx * width + q)] = mode(t, kx, b * width + q);
-    return modes_;
+      for (Index q = 0; q < width; ++q) modes[size(kx * width + q)] = mode(t, kx, b * width + q);
+    return modes;
   }
 
  private:
@@ -195,7 +205,7 @@ class PeriodicInfluence : public LayerInfluence {
   Component c_ = stress::xx;
   Index stride_;
   std::vector<std::array<AlignedVector<Complex>, 3>> transfer_;  ///< of each worker's last block, by traction
-  AlignedVector<double> modes_;                                  ///< likewise
+  std::vector<AlignedVector<double>> modes_;                     ///< likewise
 };
 
 }  // namespace

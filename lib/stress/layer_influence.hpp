@@ -39,7 +39,8 @@ struct KernelRoom {
 };
 
 /// The transfer functions of one layer after the other, component by component; those of different blocks
-/// may be requested by several threads, `worker` < threads telling them apart.
+/// may be requested by several threads, `worker` < threads telling them apart; of several ranks each asks for
+/// its own blocks, and goes to depths and components with the others.
 class LayerInfluence {
  public:
   static constexpr Index width = 8;  ///< columns ky in a block
@@ -61,7 +62,7 @@ class LayerInfluence {
   virtual TransferFunction transfer_function(stress::Traction t, Index b, int worker = 0) = 0;
   /// What the load seen from a plane x = const is multiplied with (stress/section.cpp), [m][8]: of (2), for
   /// the lag m + ½ in x, the corner function transformed along y, times (-i)^-[odd in y]; of (3), (4), S at m
-  virtual std::span<const double> by_lags(stress::Traction t, Index b) = 0;
+  virtual std::span<const double> by_lags(stress::Traction t, Index b, int worker = 0) = 0;
 };
 
 /// Cells of this resolution under the acting tractions: (3), (4) when periodic, else (2), tapered; where they

@@ -94,15 +94,25 @@ void add_maxima(const Field& f, const Grid& grid, Index i0, Index i1, Index j0, 
     }
 }
 
-LayerMaximum largest_of(const Field& f, const Grid& grid, double z) {
-  Index i, j;
-  f.maxCoeff(&i, &j);
+LayerMaximum largest_of(const Field& own, const Grid& grid, const Slabs& rows, double z) {
+  struct Place {
+    double value;
+    Index i, j;
+  };
+  std::vector<Place> tops;
+  if (own.size() > 0) {
+    Place& top = tops.emplace_back();
+    top.value = own.maxCoeff(&top.i, &top.j);
+    top.i += rows.own().first;
+  }
+  tops = gathered(rows.ranks(), tops);
+  const auto [value, i, j] = *std::ranges::max_element(tops, {}, &Place::value);
   const Index nx = grid.shape.nx, ny = grid.shape.ny;
   const Index dx = grid.periodic.x || (i > 0 && i + 1 < nx), dy = grid.periodic.y || (j > 0 && j + 1 < ny);
+  const Field beside = rows_of(own, rows, {(i - dx + nx) % nx, i, (i + dx) % nx});
   Nine nine;
   for (int p = -1; p <= 1; ++p)
-    for (int q = -1; q <= 1; ++q)
-      nine[size(p + 1)][size(q + 1)] = f((i + p * dx + nx) % nx, (j + q * dy + ny) % ny);
+    for (int q = -1; q <= 1; ++q) nine[size(p + 1)][size(q + 1)] = beside(p + 1, (j + q * dy + ny) % ny);
   const LayerPeak peak = peak_of_nine(nine);
   const double x = grid.x(i) + peak.u * grid.dx, y = grid.y(j) + peak.v * grid.dy;
   return {peak.value, x, y, z, grid.dx, grid.dy, i, j};

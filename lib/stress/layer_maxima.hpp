@@ -54,7 +54,7 @@ WiderCells wider_cells(const LoadedBody& body, Index sx, Index sy);
 void add_maxima(const Field& values, const Grid& grid, Index rows_from, Index rows_to, Index columns_from,
                 Index columns_to, double least, double z, std::vector<LayerMaximum>& out);
 
-/// The largest value of all; across a free edge nothing changes.
-LayerMaximum largest_of(const Field& values, const Grid& grid, double z);
+/// The largest value of all, of values that ranks share by rows; across a free edge nothing changes.
+LayerMaximum largest_of(const Field& own, const Grid& grid, const Slabs& rows, double z);
 
 }  // namespace asperity

@@ -22,7 +22,7 @@ class LayerWork {
  public:
   virtual ~LayerWork() = default;
   /// Hands over the rows of the layer at depth z [m] with the components asked: in order on one thread, on
-  /// several in any order and at the same time.
+  /// several in any order and at the same time. Of several ranks, to each its own.
   virtual void layer(double z, stress::Set asked, const StressRowSink& row) = 0;
 };
 
@@ -30,7 +30,8 @@ class LayerWork {
 struct LayerPlan {
   LayerPlan(const LoadedBody& body, Index s, int threads)
       : shape(body.grid.shape),
-        resolution(body.grid, body.pressure, s, threads),
+        rows(body.rows()),
+        resolution(body, s, threads),
         poisson(body.poisson),
         weights(body.friction.weights()) {}
   virtual ~LayerPlan() = default;
@@ -42,6 +43,7 @@ struct LayerPlan {
   }
 
   const Shape shape;  ///< of a layer
+  const Slabs rows;   ///< likewise
   const Resolution resolution;
   const double poisson;
   const LoadWeights weights;

@@ -19,6 +19,10 @@ Shape StressSolver::shape() const {
   return section_ ? Shape{1, section_->along_x ? whole.nx : whole.ny} : whole;
 }
 
+Extent StressSolver::rows() const {
+  return section_ ? Extent{0, body_.ranks->rank() == 0 ? 1 : 0} : body_.rows().own();
+}
+
 std::size_t StressSolver::level_at(double z) const {
   std::size_t level = 0;
   while (level + 1 < levels_.size() && z >= Resolution::least_depth(body_.grid, levels_[level + 1].s))
@@ -48,7 +52,8 @@ void StressSolver::layer(double z, stress::Set asked, Workspace& work, const Str
 
 // Sections are short; the sum over images (stress/images.hpp) is one thread's work.
 bool StressSolver::together() const {
-  return threads_ <= 1 || (!section_ && !body_.grid.periodic.one() && by_component());
+  return threads_ <= 1 || body_.ranks->count() > 1 ||
+         (!section_ && !body_.grid.periodic.one() && by_component());
 }
 
 bool StressSolver::by_component() const { return shape().cells() >= calibration::stress::shared_layer; }

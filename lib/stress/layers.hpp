@@ -13,6 +13,9 @@
 /// A section, the vertical plane x = x_i or y = y_j through cell centres, needs one row of each layer: it
 /// comes from the influence transformed along the plane alone (stress/section.cpp).
 ///
+/// Several ranks (core/ranks.hpp) share the rows of the pressure and of layers, and the columns between them;
+/// every layer is collective, and all work on one at a time.
+///
 /// Symbols   σ  stress, positive in tension [Pa]     p  pressure of each cell [Pa]     z  depth, ≥ 0 [m]
 /// Scope     a linear elastic half-space; any grid, Δx ≠ Δy, periodic or not.
 /// Accuracy  of (1): round-off, below 16 ε Σ|p|. Of (1) as a model of a smooth pressure p(x, y): (h²/12) ∇²p
@@ -62,6 +65,8 @@ class StressSolver {
   int threads() const { return threads_; }
   /// Of a layer: that of the grid, or one row.
   Shape shape() const;
+  /// The rows of a layer that this rank computes and is handed; the first rank has that of a section.
+  Extent rows() const;
   /// Whether a layer has so many points that its components are computed one by one whatever is asked for.
   bool by_component() const;
 

@@ -1,6 +1,8 @@
 #include "stress/load.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -34,15 +36,32 @@ stress::Tractions acting(const LoadWeights& weights) {
   return set;
 }
 
+double LoadedBody::largest() const {
+  const double none = -std::numeric_limits<double>::infinity();
+  return asperity::largest(*ranks, pressure.size() > 0 ? pressure.maxCoeff() : none);
+}
+
+double LoadedBody::least() const {
+  const double none = -std::numeric_limits<double>::infinity();
+  return -asperity::largest(*ranks, pressure.size() > 0 ? -pressure.minCoeff() : none);
+}
+
+LoadedBody LoadedBody::on_the_first() const {
+  const Extent wanted{0, ranks->rank() == 0 ? grid.shape.nx : 0};
+  return {grid, rows_of(pressure, rows(), wanted), poisson, friction};
+}
+
 void LoadedBody::check() const {
   friction.check();
   check_poisson(poisson);
-  if (shape_of(pressure) != grid.shape) throw DataError("pressure", "its shape is not that of the grid");
-  if (pressure.size() == 0) throw DataError("pressure", "it has no cells");
+  const Shape own{rows().own().count, grid.shape.ny};
+  if (shape_of(pressure) != own) throw DataError("pressure", "its shape is not that of the grid");
+  if (grid.shape.cells() == 0) throw DataError("pressure", "it has no cells");
   if (!(grid.dx > 0 && grid.dy > 0 && grid.size_x() <= farthest && grid.size_y() <= farthest))
     throw DataError("pressure", fmt::format("its cells have invalid sides, {} m x {} m", grid.dx, grid.dy));
-  if (!pressure.isFinite().all()) throw DataError("pressure", "holds a value that is not a finite number");
-  const double largest = pressure.abs().maxCoeff();
+  if (asperity::largest(*ranks, pressure.isFinite().all() ? 0 : 1) > 0)
+    throw DataError("pressure", "holds a value that is not a finite number");
+  const double largest = std::max(this->largest(), -least());
   if (largest != 0 && !(largest >= least_pressure && largest <= greatest_pressure))
     throw DataError("pressure", fmt::format("{} Pa is its largest value: must lie in {:g} ... {:g} Pa",
                                             largest, least_pressure, greatest_pressure));

@@ -11,6 +11,7 @@
 #include <array>
 
 #include "core/field.hpp"
+#include "core/ranks.hpp"
 #include "stress/component.hpp"
 
 namespace asperity {
@@ -32,9 +33,17 @@ stress::Tractions acting(const LoadWeights& weights);
 
 struct LoadedBody {
   Grid grid;
-  Field pressure;  ///< of each cell [Pa]
+  Field pressure;  ///< of each cell [Pa]; of several ranks, the rows that this one has
   double poisson = 0;
   Friction friction = {};
+  const Ranks* ranks = &alone();  ///< that hold it together; what follows is then collective
+
+  Slabs rows() const { return Slabs(grid.shape.nx, *ranks); }
+  /// The largest and the least pressure.
+  double largest() const;
+  double least() const;
+  /// With all rows on the first rank, where it is alone; the others have none.
+  LoadedBody on_the_first() const;
 
   /// Throws ParameterError("poisson") unless -1 < ν ≤ ½ (core/poisson.hpp), ("friction") or
   /// ("friction-angle") unless they are such and the traction at most 1e100 Pa, DataError("pressure") unless

@@ -132,7 +132,7 @@ class Search {
     std::vector<LayerMaximum> out;
     const Grid& cells = solver.body().grid;
     add_maxima(values, cells, 0, nx, 0, ny, least_start(wanted_.of, cells, z, top), z, out);
-    if (out.empty()) out.push_back(largest_of(values, cells, z));  // all level
+    if (out.empty()) out.push_back(largest_of(values, cells, Slabs(nx), z));  // all level
     const std::scoped_lock lock(mutex_);
     tell(z, top);
     return out;
@@ -260,23 +260,27 @@ StressMaximum maximum_stress(const StressSolver& solver, const StressSearch& wan
 std::vector<StressMaximum> maximum_by_depth(const StressSolver& solver, Criterion of,
                                             const std::vector<double>& depths,
                                             const std::function<void(const StressProbe&)>& on_layer) {
+  const LoadedBody& body = solver.body();
   std::vector<StressMaximum> out(depths.size());
-  std::mutex telling;
+  std::vector<Field> values(size(solver.threads()));
   Index done = 0;
-  const auto [nx, ny] = solver.shape();
-  parallel_ranges(static_cast<Index>(depths.size()), solver.threads(), [&](Index begin, Index end, int) {
-    StressSolver::Workspace work;
-    Field values(nx, ny);
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      solver.layer(depths[k], stress::all, work, [&](Index i, const StressRow& row) {
-        equivalent_stress(of, row, {values.row(i).data(), row[0].size()});
+  solver.each_layer(
+      depths,
+      [&](Index l, StressSolver::Workspace& work) {
+        Field& layer = values[size(l) % values.size()];
+        const Extent own = solver.rows();
+        layer.resize(own.count, solver.shape().ny);
+        solver.layer(depths[size(l)], stress::all, work, [&](Index i, const StressRow& row) {
+          equivalent_stress(of, row, {layer.row(i - own.first).data(), row[0].size()});
+        });
+        const LayerMaximum peak = largest_of(layer, body.grid, body.rows(), depths[size(l)]);
+        out[size(l)] = {peak.value, peak.x, peak.y, depths[size(l)], 1};
+      },
+      [&](Index begin, Index end) {
+        for (Index l = begin; l < end; ++l)
+          if (on_layer)
+            on_layer({++done, static_cast<Index>(depths.size()), depths[size(l)], out[size(l)].value});
       });
-      const LayerMaximum peak = largest_of(values, solver.body().grid, depths[k]);
-      out[k] = {peak.value, peak.x, peak.y, depths[k], 1};
-      const std::scoped_lock lock(telling);
-      if (on_layer) on_layer({++done, static_cast<Index>(depths.size()), depths[k], peak.value});
-    }
-  });
   return out;
 }
 

@@ -71,7 +71,7 @@ struct StressProbe {
 };
 
 /// All zero where nothing is loaded. `on_layer` is called for every layer, one at a time, in any order. The
-/// solver is one of whole layers.
+/// solver is one of whole layers, on one rank.
 StressMaximum maximum_stress(const StressSolver& solver, const StressSearch& search = {},
                              const std::function<void(const StressProbe&)>& on_layer = {});
 

@@ -59,7 +59,7 @@ void add(const Pair& p, const stress::Wave& wave, const LoadWeights& weights, Te
 StressPoints::StressPoints(LoadedBody body, int threads)
     : body_(std::move(body)), weights_(body_.friction.weights()) {
   body_.check();
-  if (body_.grid.periodic.both()) modes_.emplace(body_.grid, body_.pressure, 1, threads);
+  if (body_.grid.periodic.both()) modes_.emplace(body_, 1, threads);
 }
 
 Tensor StressPoints::at(double x, double y, double z) const {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/calibration.hpp"
-#include "core/parallel.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
@@ -62,26 +61,24 @@ std::vector<double> factors(Index s, Index period, bool modes) {
 }
 
 // The modes of the pressure that `transform` has: the lower ones of a torus of s px × s py narrow cells.
-AlignedVector<Complex> transformed(const Grid& grid, const Field& pressure, Index s,
-                                   const PrunedTransform& transform, int threads) {
+AlignedVector<Complex> transformed(const LoadedBody& body, Index s, const PrunedTransform& transform,
+                                   int threads) {
+  const Grid& grid = body.grid;
   const auto [px, py] = transform.torus();
-  const PrunedTransform fine(grid.shape, {s * px, s * py}, Ways::forward_only);
+  const PrunedTransform fine(grid.shape, {s * px, s * py}, Ways::forward_only, *body.ranks);
   HalfSpectrum half = fine.half_spectrum();
-  fine.forward_rows(pressure / static_cast<double>(fine.torus().cells()), half, threads);
+  fine.forward_rows(body.pressure / static_cast<double>(fine.torus().cells()), half, threads);
   const std::vector<double> along_x = factors(s, px, grid.periodic.both()),
                             along_y = factors(s, py, grid.periodic.both());
-  AlignedVector<Complex> spectrum(size(transform.blocks() * transform.block_size()));
-  parallel_ranges(transform.blocks(), threads, [&, px = px](Index begin, Index end, int) {
-    AlignedVector<Complex> block(size(fine.block_size())), work(block.size());
-    for (Index b = begin; b < end; ++b) {
-      fine.forward_block(half, b, block.data(), work.data());
-      for (Index q = 0; q < width && b * width + q < transform.columns(); ++q) {
-        const Complex* p = block.data() + q * fine.stride();
-        Complex* out = spectrum.data() + b * transform.block_size() + q * transform.stride();
-        for (Index k = 0; k < px; ++k)
-          out[k] = p[2 * k < px ? k : k + (s - 1) * px] *
-                   (along_x[size(std::min(k, px - k))] * along_y[size(b * width + q)]);
-      }
+  const Extent own = transform.own_blocks();
+  AlignedVector<Complex> spectrum(size(own.count * transform.block_size()));
+  fine.each_block(half, transform.blocks(), threads, [&, px = px](Index b, const Complex* block) {
+    for (Index q = 0; q < width && b * width + q < transform.columns(); ++q) {
+      const Complex* p = block + q * fine.stride();
+      Complex* out = spectrum.data() + (b - own.first) * transform.block_size() + q * transform.stride();
+      for (Index k = 0; k < px; ++k)
+        out[k] = p[2 * k < px ? k : k + (s - 1) * px] *
+                 (along_x[size(std::min(k, px - k))] * along_y[size(b * width + q)]);
     }
   });
   return spectrum;
@@ -99,12 +96,14 @@ bool Resolution::possible(const Grid& grid, Index s) {
          !(grid.periodic.y && ny % s != 0);
 }
 
-Resolution::Resolution(const Grid& grid, const Field& pressure, Index wide, int threads)
+Resolution::Resolution(const LoadedBody& body, Index wide, int threads)
     : s(wide),
-      transform(s == 1 ? grid.shape : torus_of(grid, s), torus_of(grid, s)),
-      cells(grid),
+      transform(s == 1 ? body.grid.shape : torus_of(body.grid, s), torus_of(body.grid, s), Ways::both,
+                *body.ranks),
+      cells(body.grid),
       interpolation(s),
-      spectrum(transformed(grid, pressure, s, transform, threads)) {
+      spectrum(transformed(body, s, transform, threads)) {
+  const Grid& grid = body.grid;
   const auto [px, py] = transform.torus();
   const double f = static_cast<double>(s);
   cells.dx *= f, cells.dy *= f;

@@ -17,22 +17,24 @@
 
 #include <span>
 
-#include "core/field.hpp"
+#include "stress/load.hpp"
 #include "transform/interpolation.hpp"
 #include "transform/pruned.hpp"
 
 namespace asperity {
 
 struct Resolution {
-  /// s = 1: the cells as they are.
-  Resolution(const Grid& grid, const Field& pressure, Index s, int threads);
+  /// s = 1: the cells as they are. Of several ranks each has its share of the spectrum's blocks.
+  Resolution(const LoadedBody& body, Index s, int threads);
 
   /// From which depth on, and whether at all, cells s times as large will do [m].
   static double least_depth(const Grid& grid, Index s);
   static bool possible(const Grid& grid, Index s);
 
   /// Block b of the spectrum of the pressure, prepared for a product with the influence of `cells`.
-  const Complex* pressure(Index b) const { return spectrum.data() + b * transform.block_size(); }
+  const Complex* pressure(Index b) const {
+    return spectrum.data() + (b - transform.own_blocks().first) * transform.block_size();
+  }
   /// Samples of a row, with room for what stands before and behind them on the torus.
   Index row_length() const { return transform.torus().ny + 2 * PrunedTransform::width; }
   /// Fills that room; the samples begin at Interpolation::before.

@@ -35,17 +35,19 @@ LoadedBody exchanged(const LoadedBody& body) {
   const Grid& g = body.grid;
   const Friction& f = body.friction;
   return {{{g.shape.ny, g.shape.nx}, g.dy, g.dx, {g.periodic.y, g.periodic.x}},
-          body.pressure.transpose(),
+          transposed(body.pressure, body.rows()),
           body.poisson,
-          {f.coefficient, 0.5 * std::numbers::pi - f.angle}};
+          {f.coefficient, 0.5 * std::numbers::pi - f.angle},
+          body.ranks};
 }
 
 // From row i to the farthest one that is loaded.
-Index farthest_lag(const Field& pressure, Index i) {
+Index farthest_lag(const LoadedBody& body, Index i) {
+  const Extent own = body.rows().own();
   Index lags = 0;
-  for (Index row = 0; row < pressure.rows(); ++row)
-    if ((pressure.row(row) != 0).any()) lags = std::max(lags, std::abs(row - i) + 1);
-  return lags;
+  for (Index row = 0; row < own.count; ++row)
+    if ((body.pressure.row(row) != 0).any()) lags = std::max(lags, std::abs(own.first + row - i) + 1);
+  return static_cast<Index>(largest(*body.ranks, static_cast<double>(lags)));
 }
 
 // exp(i kx x_i) for every mode; what the modes are prepared with for an interpolation in x is undone, as the
@@ -76,8 +78,8 @@ struct SectionPlan : LayerPlan {
     const Index px = t.torus().nx;
     lag_count = body.grid.periodic.both()           ? px / 2 + 1
                 : s > 1 || body.grid.periodic.any() ? resolution.cells.shape.nx
-                                                    : farthest_lag(body.pressure, i);
-    for (Folded& folded : folded_) folded.resize(size(t.blocks() * lag_count * 2 * width));
+                                                    : farthest_lag(body, i);
+    for (Folded& folded : folded_) folded.resize(size(t.own_blocks().count * lag_count * 2 * width));
     fold(phases(resolution, i), threads);
   }
 
@@ -89,7 +91,7 @@ struct SectionPlan : LayerPlan {
     using Given = Eigen::Map<const Lanes>;
     Eigen::Map<Lanes> to_re(sum.data()), to_im(sum.data() + width);
     Lanes re = to_re, im = to_im;
-    const double *value_at = f.data(), *d = folded_[odd].data() + b * lag_count * 2 * width;
+    const double *value_at = f.data(), *d = folded_[odd].data() + place(b);
     for (Index m = 0; m < lag_count; ++m, value_at += width, d += 2 * width) {
       const Lanes value = Given(value_at);
       re += value * Given(d), im += value * Given(d + width);
@@ -105,9 +107,10 @@ struct SectionPlan : LayerPlan {
     const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx, stride = t.stride();
     const ColumnTransform columns(px, width, Ways::forward_only);
-    parallel_ranges(t.blocks(), threads, [&](Index begin, Index end, int) {
+    const Extent own = t.own_blocks();
+    parallel_ranges(own.count, threads, [&](Index begin, Index end, int) {
       AlignedVector<Complex> modes(size(t.block_size())), lags(modes.size());
-      for (Index b = begin; b < end; ++b) {
+      for (Index b = own.first + begin; b < own.first + end; ++b) {
         for (Index q = 0; q < width; ++q)
           for (Index k = 0; k < px; ++k)
             modes[size(q * stride + k)] = resolution.pressure(b)[q * stride + k] * phases[size(k)];
@@ -164,8 +167,9 @@ struct SectionPlan : LayerPlan {
     }
   }
 
+  Index place(Index b) const { return (b - resolution.transform.own_blocks().first) * lag_count * 2 * width; }
   void set(bool odd, Index b, Index m, Index q, Complex value) {
-    double* to = folded_[odd].data() + (b * lag_count + m) * 2 * width + q;
+    double* to = folded_[odd].data() + place(b) + m * 2 * width + q;
     to[0] = value.real(), to[width] = value.imag();
   }
 
@@ -176,10 +180,12 @@ class SectionWork : public LayerWork {
  public:
   SectionWork(const SectionPlan& plan, int threads)
       : plan_(plan),
+        threads_(threads),
         influence_(plan.influence(threads)),
         transform_(plan.resolution.transform.torus().ny),
         row_work_(transform_.work()),
         modes_(size(transform_.blocks() * 6 * width)),
+        own_modes_(size(own_blocks().count * 6 * width)),
         samples_(size(6 * plan.resolution.row_length())) {}
 
   void layer(double z, stress::Set asked, const StressRowSink& row) override {
@@ -189,13 +195,14 @@ class SectionWork : public LayerWork {
     Index count = 0;
     for (Component c : stress::components)
       if (asked_[c]) compute_modes(c, count++);
+    std::ranges::copy(gathered(plan_.rows.ranks(), own_modes_), modes_.begin());
     transform_.inverse(modes_.data(), 6 * width, count, transform_.points(),
                        samples_.data() + Interpolation::before, plan_.resolution.row_length(), row_work_);
     StressRow values{};
     count = 0;
     for (Component c : stress::components)
       if (asked_[c]) values[own(c)] = {row_of(c, count++), size(plan_.shape.ny)};
-    row(0, values);
+    if (plan_.rows.ranks().rank() == 0) row(0, values);
   }
 
  private:
@@ -212,29 +219,38 @@ class SectionWork : public LayerWork {
     return refined_[c].data();
   }
 
+  Extent own_blocks() const { return plan_.resolution.transform.own_blocks(); }
+
   // Row r of the modes: component c.
   void compute_modes(Component c, Index r) {
-    const LoadWeights& weights = plan_.weights;
     influence_->set_component(c);
-    for (Index b = 0; b < transform_.blocks(); ++b) {
-      Complex* to = modes_.data() + (6 * b + r) * width;
-      std::fill_n(to, width, Complex{});
-      for (stress::Traction t : stress::tractions) {
-        if (weights[t] == 0) continue;
-        std::array<double, 2 * width> sum{};
-        plan_.add(influence_->by_lags(t, b), odd_in_x(c, t), b, sum);
-        const Complex factor = odd_in_y(c, t) ? Complex{0, -weights[t]} : Complex{weights[t], 0};
-        for (std::size_t q = 0; q < width; ++q) to[q] += factor * Complex{sum[q], sum[width + q]};
-      }
+    parallel_ranges(own_blocks().count, threads_, [&](Index begin, Index end, int worker) {
+      for (Index k = begin; k < end; ++k) add_modes(c, k, worker, own_modes_.data() + (6 * k + r) * width);
+    });
+  }
+
+  // Of the k-th own block.
+  void add_modes(Component c, Index k, int worker, Complex* to) const {
+    const LoadWeights& weights = plan_.weights;
+    const Index b = own_blocks().first + k;
+    std::fill_n(to, width, Complex{});
+    for (stress::Traction t : stress::tractions) {
+      if (weights[t] == 0) continue;
+      std::array<double, 2 * width> sum{};
+      plan_.add(influence_->by_lags(t, b, worker), odd_in_x(c, t), b, sum);
+      const Complex factor = odd_in_y(c, t) ? Complex{0, -weights[t]} : Complex{weights[t], 0};
+      for (std::size_t q = 0; q < width; ++q) to[q] += factor * Complex{sum[q], sum[width + q]};
     }
   }
 
   const SectionPlan& plan_;
+  const int threads_;
   stress::Set asked_;  // of the exchanged problem
   std::unique_ptr<LayerInfluence> influence_;
   RowTransform transform_;
   RowTransform::Work row_work_;
-  AlignedVector<Complex> modes_;   // of the row: [block][asked component][8]
+  AlignedVector<Complex> modes_;  // of the row: [block][asked component][8]
+  std::vector<Complex> own_modes_;
   AlignedVector<double> samples_;  // six rows
   std::array<AlignedVector<double>, 6> refined_;
 };

@@ -17,7 +17,7 @@ using stress::Component;
 
 using Transfer = std::array<LayerInfluence::TransferFunction, 3>;
 
-constexpr Index width = PrunedTransform::width, before = Interpolation::before;
+constexpr Index width = PrunedTransform::width, before = Interpolation::before, taps = Interpolation::taps;
 static_assert(width == LayerInfluence::width);
 
 // -i a z.
@@ -95,6 +95,7 @@ class VolumeWork : public LayerWork {
         resolution_(plan.resolution),
         transform_(resolution_.transform),
         shape_(plan.shape),
+        own_(plan.rows.own()),
         threads_(threads),
         influence_(plan.influence(threads)),
         half_(transform_.half_spectrum()),
@@ -114,8 +115,8 @@ class VolumeWork : public LayerWork {
       else if (c != last_)
         invert(c);
     }
-    by_groups(shape_.nx, [&](Index first, Index count, Buffers& buffers) {
-      for (Index i = first; i < first + count; ++i) row(i, (this->*row_at)(asked, i, buffers));
+    by_groups(own_.count, [&](Index first, Index count, Buffers& buffers) {
+      for (Index i = first; i < first + count; ++i) row(own_.first + i, (this->*row_at)(asked, i, buffers));
     });
   }
 
@@ -125,12 +126,9 @@ class VolumeWork : public LayerWork {
   // Of one thread.
   struct Buffers {
     explicit Buffers(const VolumeWork& of)
-        : block(size(of.transform_.block_size())),
-          work(block.size()),
-          row_work(of.transform_.row_work()),
+        : row_work(of.transform_.row_work()),
           rows(size(group * (of.wide() ? of.resolution_.row_length() : of.shape_.ny))) {}
 
-    AlignedVector<Complex> block, work;
     RowTransform::Work row_work;
     AlignedVector<double> rows;                    ///< eight
     std::array<AlignedVector<double>, 6> refined;  ///< a row at every cell
@@ -148,21 +146,17 @@ class VolumeWork : public LayerWork {
   }
 
   void compute_modes(Component c) {
-    const Index block = 2 * width * transform_.field().nx;
+    const Index block = 2 * width * transform_.slabs().own().count;
     influence_->set_component(c, {reinterpret_cast<double*>(half_.data()), block});
-    parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int worker) {
-      Buffers& own = buffers_[size(worker)];
-      for (Index b = begin; b < end; ++b) {
-        respond(*influence_, plan_, c, b, worker, own.block.data());
-        transform_.inverse_block(own.block.data(), b, half_, own.work.data());
-      }
+    transform_.compose(half_, threads_, [&](Index b, Complex* product, int worker) {
+      respond(*influence_, plan_, c, b, worker, product);
     });
   }
 
   void invert(Component c) {
     Field& values = values_[c];
-    if (values.size() == 0) values = large_field(shape_);
-    by_groups(shape_.nx, [&](Index first, Index count, Buffers& buffers) {
+    if (values.size() == 0) values = large_field({own_.count, shape_.ny});
+    by_groups(own_.count, [&](Index first, Index count, Buffers& buffers) {
       transform_.inverse_group(half_, first, count, shape_.ny, values.row(first).data(), shape_.ny,
                                buffers.row_work);
     });
@@ -172,7 +166,7 @@ class VolumeWork : public LayerWork {
   StressRow inverted(stress::Set asked, Index i, Buffers& buffers) const {
     const Index in_group = i % group;
     if (in_group == 0)
-      transform_.inverse_group(half_, i, std::min(group, shape_.nx - i), shape_.ny, buffers.rows.data(),
+      transform_.inverse_group(half_, i, std::min(group, own_.count - i), shape_.ny, buffers.rows.data(),
                                shape_.ny, buffers.row_work);
     StressRow out{};
     for (Component c : stress::components)
@@ -185,33 +179,42 @@ class VolumeWork : public LayerWork {
   // The points of a wide layer around the cells, from `before` ahead of the first, in x and in y.
   void invert_points(Component c) {
     const auto [px, py] = transform_.torus();
-    const Index end = std::min((shape_.nx - 1) / resolution_.s + Interpolation::taps, px) - before;
-    const Index stride = resolution_.row_length(),
-                samples = std::min((shape_.ny - 1) / resolution_.s + 2 * Interpolation::taps, stride);
-    Field& points = values_[c];
-    if (points.size() == 0) points.resize(before + end, samples);
-    auto invert = [&, py = py](Index first, Index count, Index to, Buffers& buffers) {
+    const Index stride = resolution_.row_length(), end = (shape_.nx - 1) / resolution_.s + taps - before,
+                samples = std::min((shape_.ny - 1) / resolution_.s + 2 * taps, stride);
+    const Extent here = transform_.slabs().own();
+    Field points(here.count, samples);
+    by_groups(here.count, [&, px = px, py = py](Index first, Index count, Buffers& buffers) {
+      if (const Index i = here.first + first; i >= end && i + count <= px - before) return;  // not wanted
       double* rows = buffers.rows.data();
       transform_.inverse_group(half_, first, count, py, rows + before, stride, buffers.row_work);
       for (Index r = 0; r < count; ++r) {
         resolution_.wrap({rows + r * stride, size(stride)});
-        std::copy_n(rows + r * stride, samples, points.row(to + r).data());
+        std::copy_n(rows + r * stride, samples, points.row(first + r).data());
       }
-    };
-    invert(px - before, before, 0, buffers_[0]);
-    by_groups(end,
-              [&](Index first, Index count, Buffers& own) { invert(first, count, before + first, own); });
+    });
+    values_[c] = rows_of(points, transform_.slabs(), wanted_points());
   }
 
+  // Rows of points, from that which stands `before` ahead of the first own row's on.
+  std::vector<Index> wanted_points() const {
+    std::vector<Index> rows;
+    const Index px = transform_.torus().nx;
+    if (own_.count > 0)
+      for (Index m = first_point(); m < (own_.end() - 1) / resolution_.s + taps; ++m)
+        rows.push_back((m + px - before) % px);
+    return rows;
+  }
+  Index first_point() const { return own_.first / resolution_.s; }
+
   StressRow interpolated(stress::Set asked, Index i, Buffers& buffers) const {
-    const double* weights = resolution_.interpolation.weights(i % resolution_.s);
-    const Index px = transform_.torus().nx, m = i / resolution_.s;
-    static_assert(Interpolation::taps == 8);
+    const Index at = own_.first + i, m = at / resolution_.s - first_point();
+    const double* weights = resolution_.interpolation.weights(at % resolution_.s);
+    static_assert(taps == 8);
     StressRow out{};
     for (Component c : stress::components) {
       if (!asked[c]) continue;
       const Field& points = values_[c];
-      auto row_at = [&](Index t) { return points.row((m + t) % px); };
+      auto row_at = [&](Index t) { return points.row(m + t); };
       Eigen::Map<Eigen::Array<double, 1, Eigen::Dynamic>>(buffers.rows.data(), points.cols()) =
           weights[0] * row_at(0) + weights[1] * row_at(1) + weights[2] * row_at(2) + weights[3] * row_at(3) +
           weights[4] * row_at(4) + weights[5] * row_at(5) + weights[6] * row_at(6) + weights[7] * row_at(7);
@@ -226,6 +229,7 @@ class VolumeWork : public LayerWork {
   const Resolution& resolution_;
   const PrunedTransform& transform_;
   const Shape shape_;
+  const Extent own_;  ///< rows
   const int threads_;
   std::unique_ptr<LayerInfluence> influence_;
   HalfSpectrum half_;  ///< of one component

@@ -92,77 +92,32 @@ void BasicPrunedTransform<Real>::inverse_block(const Number* block, Index b, std
   rows_from_columns<width>(work, stride(), field_.nx, half.data() + b * field_.nx * width);
 }
 
-namespace {
-
-// A step of a pass over the blocks of all ranks: which of them each rank has, and where their rows lie.
-template <class Number>
-struct Step {
-  const Slabs& slabs;
-  std::span<Number> come;  // of this rank's blocks, rank by rank [block][row][8]
-  Extent mine;
-
-  std::span<Number> from(int rank) const {
-    const Extent rows = slabs.of(rank);
-    return come.subspan(size(mine.count * rows.first * width), size(mine.count * rows.count * width));
-  }
-  void to_columns(Index b, Number* columns, Index stride) const {
-    for (int r = 0; r < slabs.ranks().count(); ++r) {
-      const Extent rows = slabs.of(r);
-      columns_from_rows<width>(from(r).data() + b * rows.count * width, rows.count, columns + rows.first,
-                               stride);
-    }
-  }
-  void from_columns(Index b, const Number* columns, Index stride) const {
-    for (int r = 0; r < slabs.ranks().count(); ++r) {
-      const Extent rows = slabs.of(r);
-      rows_from_columns<width>(columns + rows.first, stride, rows.count,
-                               from(r).data() + b * rows.count * width);
-    }
-  }
-};
-
-}  // namespace
-
 template <class Real>
-void BasicPrunedTransform<Real>::shared_pass(std::span<const Number> half,
-                                             std::optional<std::span<Number>> back, int threads,
-                                             const Visit& work) const {
-  constexpr Index points_at_a_time = 1 << 17;  // of a column of blocks: some megabytes come and go
-  const Ranks& ranks = slabs_.ranks();
-  const Index most = std::max<Index>(1, points_at_a_time / torus_.nx), here = rows_here() * width;
-  Index longest = 0;
-  for (int r = 0; r < ranks.count(); ++r) longest = std::max(longest, blocks_of(r).count);
-  HalfSpectrum come(size(most * field_.nx * width));
-  for (Index done = 0; done < longest; done += most) {
-    auto part_of = [&](int rank) -> Extent {
-      const Extent blocks = blocks_of(rank);
-      const Index before = std::min(done, blocks.count);
-      return {blocks.first + before, std::min(most, blocks.count - before)};
-    };
-    const Step<Number> step{slabs_, come, part_of(ranks.rank())};
-    Ranks::Pieces to, results;
-    Ranks::Room from, into;
-    for (int r = 0; r < ranks.count(); ++r) {
-      const Extent theirs = part_of(r);
-      const std::size_t begin = size(theirs.first * here), count = size(theirs.count * here);
-      to.push_back(std::as_bytes(half.subspan(begin, count)));
-      from.push_back(std::as_writable_bytes(step.from(r)));
-      results.push_back(std::as_bytes(step.from(r)));
-      if (back) into.push_back(std::as_writable_bytes(back->subspan(begin, count)));
-    }
-    ranks.exchange(to, from);
-    parallel_ranges(step.mine.count, threads, [&](Index begin, Index end, int) {
+void BasicPrunedTransform<Real>::shared_pass(const Shared& blocks, int threads, const Visit& work) const {
+  BlockExchange<Number> exchange(slabs_, blocks.count, threads);
+  const int ranks = slabs_.ranks().count();
+  for (Index step = 0; step < exchange.steps(); ++step) {
+    if (blocks.half) exchange.fetch(step, *blocks.half);
+    const Extent own = exchange.at_hand(step);
+    parallel_ranges(own.count, threads, [&](Index begin, Index end, int worker) {
       HalfSpectrum block(size(block_size())), scratch(block.size());
       for (Index b = begin; b < end; ++b) {
-        step.to_columns(b, scratch.data(), stride());
-        forward_columns(scratch.data(), block.data());
-        work(step.mine.first + b, block.data());
-        if (!back) continue;
+        auto rows = [&](int r) { return slabs_.of(r); };
+        if (blocks.half) {
+          for (int r = 0; r < ranks; ++r)
+            columns_from_rows<width>(exchange.part(step, b, r).data(), rows(r).count,
+                                     scratch.data() + rows(r).first, stride());
+          forward_columns(scratch.data(), block.data());
+        }
+        work(own.first + b, block.data(), worker);
+        if (!blocks.back) continue;
         columns_.inverse(block.data(), scratch.data());
-        step.from_columns(b, scratch.data(), stride());
+        for (int r = 0; r < ranks; ++r)
+          rows_from_columns<width>(scratch.data() + rows(r).first, stride(), rows(r).count,
+                                   exchange.part(step, b, r).data());
       }
     });
-    if (back) ranks.exchange(results, into);
+    if (blocks.back) exchange.give_back(step, *blocks.back);
   }
 }
 

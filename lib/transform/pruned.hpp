@@ -24,6 +24,7 @@
 #include "core/field.hpp"
 #include "core/parallel.hpp"
 #include "core/ranks.hpp"
+#include "transform/block_exchange.hpp"
 #include "transform/plan.hpp"
 #include "transform/rows.hpp"
 
@@ -60,8 +61,7 @@ class BasicPrunedTransform {
   Extent blocks_of(int rank) const { return blocks_of(torus_, slabs_.ranks(), rank); }
   Extent own_blocks() const { return blocks_of(slabs_.ranks().rank()); }
   static Extent blocks_of(Shape torus, const Ranks& ranks, int rank) {
-    const Index all = (torus.ny / 2 + width) / width, first = all * rank / ranks.count();
-    return {first, all * (rank + 1) / ranks.count() - first};
+    return asperity::blocks_of((torus.ny / 2 + width) / width, ranks, rank);
   }
   HalfSpectrum half_spectrum() const;
 
@@ -83,15 +83,37 @@ class BasicPrunedTransform {
   /// forward_block.
   template <class Work>
   void each_block(std::span<const Number> half, int threads, Work work) const {
-    if (slabs_.shared()) return shared_pass(half, std::nullopt, threads, work);
-    pass(half, threads, [&](Index b, Number* block, Number*) { work(b, block); });
+    each_block(half, blocks(), threads, work);
+  }
+  /// The same of the first `count` blocks alone, in equal shares.
+  template <class Work>
+  void each_block(std::span<const Number> half, Index count, int threads, Work work) const {
+    if (slabs_.shared())
+      return shared_pass({half, std::nullopt, count}, threads,
+                         [&](Index b, Number* block, int) { work(b, block); });
+    pass(count, threads, [&](Index b, Number* block, Number* scratch, int) {
+      forward_block(half, b, block, scratch);
+      work(b, block);
+    });
   }
   /// The same, and what work has made of it back into the half spectrum.
   template <class Work>
   void filter(std::span<Number> half, int threads, Work work) const {
-    if (slabs_.shared()) return shared_pass(half, half, threads, work);
-    pass(half, threads, [&](Index b, Number* block, Number* scratch) {
+    if (slabs_.shared())
+      return shared_pass({half, half, blocks()}, threads,
+                         [&](Index b, Number* block, int) { work(b, block); });
+    pass(blocks(), threads, [&](Index b, Number* block, Number* scratch, int) {
+      forward_block(half, b, block, scratch);
       work(b, block);
+      inverse_block(block, b, half, scratch);
+    });
+  }
+  /// What work(b, block, worker) writes into each block, into the half spectrum, of which nothing is read.
+  template <class Work>
+  void compose(std::span<Number> half, int threads, Work work) const {
+    if (slabs_.shared()) return shared_pass({std::nullopt, half, blocks()}, threads, work);
+    pass(blocks(), threads, [&](Index b, Number* block, Number* scratch, int worker) {
+      work(b, block, worker);
       inverse_block(block, b, half, scratch);
     });
   }
@@ -107,20 +129,21 @@ class BasicPrunedTransform {
   template <class Group>
   void by_groups(int threads, Group visit) const;
   template <class Work>
-  void pass(std::span<const Number> half, int threads, Work work) const {
-    parallel_ranges(blocks(), threads, [&](Index begin, Index end, int) {
+  void pass(Index count, int threads, Work work) const {
+    parallel_ranges(count, threads, [&](Index begin, Index end, int worker) {
       HalfSpectrum block(size(block_size())), scratch(block.size());
-      for (Index b = begin; b < end; ++b) {
-        forward_block(half, b, block.data(), scratch.data());
-        work(b, block.data(), scratch.data());
-      }
+      for (Index b = begin; b < end; ++b) work(b, block.data(), scratch.data(), worker);
     });
   }
 
-  using Visit = std::function<void(Index b, Number* block)>;
-  // Blocks of all ranks' rows; back into `back`, if it is given.
-  void shared_pass(std::span<const Number> half, std::optional<std::span<Number>> back, int threads,
-                   const Visit& work) const;
+  // Blocks of all ranks' rows: of which half spectrum, if any, and back into which.
+  struct Shared {
+    std::optional<std::span<const Number>> half;
+    std::optional<std::span<Number>> back;
+    Index count;
+  };
+  using Visit = std::function<void(Index b, Number* block, int worker)>;
+  void shared_pass(const Shared& blocks, int threads, const Visit& work) const;
   // Behind the rows of the field, `columns` are filled with zeros.
   void forward_columns(Number* columns, Number* block) const;
   Index rows_here() const { return slabs_.own().count; }

@@ -1,4 +1,4 @@
-// asperity-contact under mpirun: the file of one process, and what happens when a rank fails.
+// Tools under mpirun: the files and tables of one process, and what happens when a rank fails.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -84,6 +84,38 @@ TEST_CASE("several ranks print the table of one, and one dataset a load", "[rank
     CHECK(shell(text_of("one_" + k + " three_" + k) + "cmp one_" + k + ".txt three_" + k + ".txt").exit == 0);
 }
 
+TEST_CASE("several ranks write the stresses of one, and print its tables", "[ranks][stress][slow]") {
+  if (no_mpirun()) return;
+  draw();
+  REQUIRE(shell(contact + "s.nc --load 20N --radius 20mm --yield 3GPa -o c.nc").exit == 0);
+  const std::string stress = "asperity-stress --no-history --progress never c.nc ";
+  const std::vector<std::string> runs{
+      "--depths 0,6um,24um --components all --above 0.1pmax",
+      "--depths 0:20um:3 --section y=max --components von_mises,xz --friction 0.3",
+      "--maximum",
+  };
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::size_t ranks = 2 + k, threads = 2 - k % 2;
+    CAPTURE(runs[k], ranks, threads);
+    const Outcome one = shell(stress + runs[k] + " -o one.nc --threads 1"),
+                  several = shell(mpirun(static_cast<int>(ranks)) + stress + runs[k] +
+                                  " -o several.nc --threads " + std::to_string(threads));
+    REQUIRE(one.exit == 0);
+    CHECK(several.exit == 0);
+    CHECK(several.error == one.error);
+    CHECK(shell(text_of("one several") + "cmp one.txt several.txt").exit == 0);
+  }
+  const std::string table = "--depths 1um,6um --result maxima --of max_shear";
+  CHECK(shell(mpirun(2) + stress + table).out == shell(stress + table).out);
+  // Into a pipe: the result is kept, or computed again for its variable.
+  for (const std::string memory : {"1GB", "1kB"}) {
+    const std::string piped = "--depths 1um,6um --memory " + memory;
+    CHECK(shell(stress + piped + " >one.nc && " + mpirun(2) + stress + piped + " | cat >several.nc; " +
+                text_of("one several") + "cmp one.txt several.txt")
+              .exit == 0);
+  }
+}
+
 TEST_CASE("a failure under mpirun is one line and an exit code, and leaves no file",
           "[ranks][contact][slow]") {
   if (no_mpirun()) return;
@@ -101,6 +133,13 @@ TEST_CASE("a failure under mpirun is one line and an exit code, and leaves no fi
   CAPTURE(usage.error);
   CHECK(usage.exit == 2);
   CHECK(lines(usage.error) == 1);
+  for (const std::string option : {"--points p.txt", "--maximum --add grid_errors"}) {
+    const Outcome refused = shell(mpirun(2) + "asperity-stress s.nc -o bad_out.nc " + option);
+    CAPTURE(option, refused.error);
+    CHECK(refused.exit == 2);
+    CHECK(lines(refused.error) == 1);
+    CHECK_THAT(refused.error, ContainsSubstring("by 2 ranks: start one process"));
+  }
   const Outcome full = shell(mpirun(2) + contact + "s.nc --load 20N --radius 20mm -o /dev/full");
   CAPTURE(full.error);
   CHECK(full.exit == 1);

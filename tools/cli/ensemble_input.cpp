@@ -112,6 +112,14 @@ bool EnsembleInput::takes_standard_input() const {
 std::size_t EnsembleInput::resolve(const Tool& tool) {
   files = all_matches(files);
   check(tool, files);
+  if (const int ranks = tool.ranks().count(); ranks > 1) {
+    if (takes_standard_input())
+      throw UsageError("INPUT", "standard input reaches the first rank alone: name a file");
+    if (files.size() > 1)
+      throw UsageError("INPUT",
+                       fmt::format("{} surfaces cannot be shared by {} ranks: start a process for each",
+                                   files.size(), ranks));
+  }
   const auto place = std::ranges::find(files, "-");
   if (place == files.end()) return files.size();
   piped_ = piped(tool);

@@ -32,7 +32,7 @@ struct EnsembleInput {
 
   bool takes_standard_input() const;
   /// How many surfaces there are. Reads standard input if it is named: files that are listed there take its
-  /// place.
+  /// place. Several ranks share one surface, from a file.
   std::size_t resolve(const Tool& tool);
 
   /// The surface, where there is one.

@@ -39,9 +39,9 @@ StressBound::StressBound(const std::string& text) {
   if (!(value_ > 0 && std::isfinite(value_))) refuse("above", text, "is not above 0");
 }
 
-double StressBound::in(const Dataset& data) const {
+double StressBound::in(const Dataset& data, const std::function<double()>& largest_pressure) const {
   if (of_ == Of::itself) return value_;
-  if (of_ == Of::largest) return value_ * field_of(data, "pressure", "Pa").maxCoeff();
+  if (of_ == Of::largest) return value_ * largest_pressure();
   const double hertz = data.attributes.number("contact_hertz_pressure", -1);
   if (!(hertz > 0))
     throw DataError("contact_hertz_pressure",

@@ -33,7 +33,7 @@ class StressBound {
 
   bool given() const { return value_ > 0; }
   /// In Pa. Throws DataError where the dataset lacks what it is a share of.
-  double in(const Dataset& data) const;
+  double in(const Dataset& data, const std::function<double()>& largest_pressure) const;
   /// "0.1 p₀", "0.1 pmax", "100 MPa"
   std::string label() const;
 

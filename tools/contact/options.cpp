@@ -204,8 +204,6 @@ void ContactOptions::check_ranks(const Tool& tool) {
   const std::string why = fmt::format(" by {} ranks: start one process", ranks->count());
   if (tool.given("--accuracy")) throw UsageError("accuracy", "cannot be reached" + why);
   if (adds("grid_errors")) throw UsageError("add", "grid_errors cannot be computed" + why);
-  if (!smooth && surfaces.takes_standard_input())
-    throw UsageError("INPUT", "standard input reaches the first rank alone: name a file");
 }
 
 void ContactOptions::check_streams(Tool& tool) {
@@ -214,10 +212,6 @@ void ContactOptions::check_streams(Tool& tool) {
     throw UsageError("smooth", "no input: pipe a dataset in, name a file, or add --smooth");
   if (piped && counter == "-") throw UsageError("counter", "standard input is the first body: name a file");
   if (!smooth) surfaces_ = surfaces.resolve(tool);
-  if (several() && ranks->count() > 1)
-    throw UsageError(
-        "INPUT", fmt::format("{} surfaces cannot be pressed by {} ranks: start a process for each", surfaces_,
-                             ranks->count()));
   tool.writes_dataset(!tabulates());
   if (tabulates()) return check_table(tool);
   refuse_terminal(tool.output_name());

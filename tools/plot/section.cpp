@@ -150,7 +150,8 @@ void hide_below(Cuts& cuts, const Cases& cases, const Request& request) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Dataset& data = cases[c].data;
     const double scale = request.scale_by_hertz ? data.attributes.number("contact_hertz_pressure", 1) : 1;
-    const double bound = request.above.in(data) / scale;
+    const double bound =
+        request.above.in(data, [&] { return field_of(data, "pressure", "Pa").maxCoeff(); }) / scale;
     Field& values = cuts.patches[c].values;
     values = (values >= bound).select(values, std::numeric_limits<double>::quiet_NaN());
     least = std::min(least, bound);

@@ -27,19 +27,20 @@ void LayerRows::at_once(double z, StressSolver::Workspace& work, const Take& tak
 
 void LayerRows::one_by_one(double z, StressSolver::Workspace& work, std::optional<MisesLayer>& mises,
                            const Take& take) const {
-  if (mises_ && !mises) mises.emplace(solver_.shape());
+  const Extent own = solver_.rows();
+  if (mises_ && !mises) mises.emplace(Shape{own.count, solver_.shape().ny});
   for (stress::Component c : stress::components) {
     const auto only = stress::Set().set(c);
     if ((selection_.needs() & only).none()) continue;
     solver_.layer(z, only, work, [&](Index i, const StressRow& row) {
       for (const Placed& placed : placed_)
         if (placed.quantity->needs == only) hand_over(placed, row, i, take);
-      if (mises) mises->add(c, i, row[c]);
+      if (mises) mises->add(c, i - own.first, row[c]);
       if (!mises || c != stress::yz) return;
       std::vector<double> values(row[c].size());
       for (const auto& [quantity, first] : placed_) {
         if (quantity->of_mises == 0) continue;
-        mises->row(i, quantity->of_mises, values);
+        mises->row(i - own.first, quantity->of_mises, values);
         take(first, i, values);
       }
     });

@@ -31,10 +31,12 @@ constexpr Words words_of(Criterion of) {
 }
 
 // `layers`: those of a dataset follow.
-StressMaximum search_layers(const Tool& tool, const StressSolver& volume, const StressSearch& search,
-                            bool layers) {
+StressMaximum search_layers(const Tool& tool, const StressScene& scene, const LoadedBody& body,
+                            const StressSearch& search) {
+  const bool layers = !scene.depths.empty();
   Progress progress(tool, layers ? 0.5 : 1);
   StepTable probes(tool, {"layer", "depth [um]", fmt::format("greatest {} [MPa]", words_of(search.of).of)});
+  const StressSolver volume(body, tool.thread_count(), scene.resolution);
   return maximum_stress(volume, search, [&](const StressProbe& p) {
     progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers searched");
     probes.row({std::to_string(p.done), fmt::format("{:.6g}", p.depth * 1e6),
@@ -86,22 +88,10 @@ void warn_if_at_edge(const Tool& tool, const Grid& grid, const StressMaximum& ma
                   what, maximum.x * 1e6, maximum.y * 1e6));
 }
 
-}  // namespace
-
-std::string attribute_of(Criterion of) { return words_of(of).attribute; }
-
-StressSearch search_of(const StressOptions& options, const Grid& grid) {
-  StressSearch search;
-  for (Criterion c : {Criterion::von_mises, Criterion::max_shear, Criterion::principal})
-    if (options.of == words_of(c).of) search.of = c;
-  if (!options.below.empty()) search.below = depth_on(grid, "below", options.below, StressSearch::deepest);
-  return search;
-}
-
-StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSearch& search,
-                           const StressSolver& solver) {
+StressMaximum found_maximum(const Tool& tool, StressScene& scene, const StressSearch& search,
+                            const LoadedBody& body) {
   const auto [of, attribute, what] = words_of(search.of);
-  const StressMaximum top = search_layers(tool, solver, search, !scene.depths.empty());
+  const StressMaximum top = search_layers(tool, scene, body, search);
   Attributes& a = scene.data.attributes;
   a.set(attribute, top.value);
   a.set("stress_max_x", top.x);
@@ -114,11 +104,35 @@ StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSea
   if (search.below > 0 && top.depth == search.below)
     tool.note(fmt::format("the largest {} lies at the depth of --below; above it, it is larger", what));
   const double missing =
-      search.below > 0 ? 0 : edge_error(top, search.of, scene.body, at_limit_pressure(scene));
+      search.below > 0 ? 0 : edge_error(top, search.of, body, at_limit_pressure(scene.data, body));
   if (missing > 0) a.set(std::string(attribute) + "_error", missing);
-  warn_if_shallow(tool, scene.body, search, top, missing);
-  warn_if_at_edge(tool, scene.body.grid, top, what);
+  warn_if_shallow(tool, body, search, top, missing);
+  warn_if_at_edge(tool, body.grid, top, what);
   return top;
+}
+
+}  // namespace
+
+std::string attribute_of(Criterion of) { return words_of(of).attribute; }
+
+StressSearch search_of(const StressOptions& options, const Grid& grid) {
+  StressSearch search;
+  for (Criterion c : {Criterion::von_mises, Criterion::max_shear, Criterion::principal})
+    if (options.of == words_of(c).of) search.of = c;
+  if (!options.below.empty()) search.below = depth_on(grid, "below", options.below, StressSearch::deepest);
+  return search;
+}
+
+StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSearch& search) {
+  std::vector<StressMaximum> top;
+  if (const Ranks& ranks = *scene.body.ranks; ranks.count() == 1) {
+    top = {found_maximum(tool, scene, search, scene.body)};
+  } else {
+    const LoadedBody whole = scene.body.on_the_first();
+    if (ranks.rank() == 0) top = {found_maximum(tool, scene, search, whole)};
+    top = gathered(ranks, top);
+  }
+  return top.front();
 }
 
 Table maxima_of(const Tool& tool, const StressOptions& options, const StressScene& scene) {

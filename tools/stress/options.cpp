@@ -1,5 +1,7 @@
 #include "tools/stress/options.hpp"
 
+#include <fmt/format.h>
+
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/section.hpp"
 #include "tools/cli/stream.hpp"
@@ -9,6 +11,7 @@ namespace asperity::cli {
 
 void StressOptions::declare(Tool& tool) {
   const std::string where = "Where";
+  tool.shares_ranks();
   surfaces.declare(tool);
   tool.text("--depths", depths, "DEPTHS",
             "Depths of the layers; 0:1mm:32 (equal steps), 0.5px:1mm:32:geometric (equal ratios) or "
@@ -103,6 +106,7 @@ void refuse_if(bool wrong, const char* option, const std::string& why) {
 
 void StressOptions::check(Tool& tool) {
   check_content(tool);
+  check_ranks(tool);
   if (!above.empty()) static_cast<void>(StressBound(above));
   refuse_if(points == "-" && surfaces.takes_standard_input(), "points",
             "standard input is the dataset: name a file");
@@ -125,6 +129,14 @@ void StressOptions::check_content(const Tool& tool) const {
   refuse_if(!layers && !table && tool.given("--components"), "components", "needs --depths or --points");
   refuse_if(!searches && !maxima && tool.given("--of"), "of", "needs --maximum or --result maxima");
   refuse_if(!searches && tool.given("--below"), "below", "needs --maximum");
+}
+
+// What needs the whole field at each place, or other contacts beside one.
+void StressOptions::check_ranks(const Tool& tool) const {
+  if (tool.ranks().count() == 1) return;
+  const std::string why = fmt::format("by {} ranks: start one process", tool.ranks().count());
+  refuse_if(!points.empty(), "points", "cannot be computed " + why);
+  refuse_if(adds("grid_errors"), "add", "grid_errors cannot be computed " + why);
 }
 
 void StressOptions::check_output(Tool& tool) const {

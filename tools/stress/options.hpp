@@ -35,6 +35,7 @@ struct StressOptions {
 
  private:
   void check_content(const Tool& tool) const;
+  void check_ranks(const Tool& tool) const;
   void check_output(Tool& tool) const;
   void declare_maximum(Tool& tool);
   void declare_content(Tool& tool);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "contact/flattening.hpp"
+#include "contact/influence.hpp"
 #include "core/error.hpp"
 #include "core/poisson.hpp"
 #include "core/words.hpp"
@@ -41,13 +42,15 @@ double poisson_of(const StressOptions& o, const Dataset& data) {
   return out;
 }
 
-void refuse_tension(const Field& pressure) {
+// In rows from `first` on.
+void refuse_tension(const Field& pressure, Index first) {
   Index i = 0, j = 0;
+  if (pressure.size() == 0) return;
   if (const double least = pressure.minCoeff(&i, &j); least < 0)
     throw DataError("pressure",
                     fmt::format("at point ({}, {}) it is {}, but a contact has no tension: change the sign "
                                 "if it is a compression, or set tension to 0",
-                                i, j, format_quantity(least, "Pa")));
+                                first + i, j, format_quantity(least, "Pa")));
 }
 
 }  // namespace
@@ -70,28 +73,31 @@ void cut(StressScene& scene, const std::string& section, std::array<double, 2> m
 }
 
 StressScene read_scene(const Tool& tool, StressOptions& options) {
-  return scene_of(options, options.surfaces.only(tool));
+  return scene_of(options, options.surfaces.only(tool), tool.ranks());
 }
 
-StressScene scene_of(const StressOptions& options, Dataset data) {
+StressScene scene_of(const StressOptions& options, Dataset data, const Ranks& ranks) {
   StressScene scene;
   scene.data = std::move(data);
-  auto& [grid, pressure, poisson, friction] = scene.body;
+  auto& [grid, pressure, poisson, friction, shared] = scene.body;
   grid = grid_of(scene.data);
   scene.depths = depths_on(grid, options.depths);
   if (!options.section.empty() && !through_maximum(options.section)) cut(scene, options.section, {});
   friction = {options.friction, parse_angle("friction-angle", options.friction_angle)};
   friction.check();
-  pressure = field_of(scene.data, "pressure", "Pa");
+  shared = &shared_rows(grid.shape, ranks).ranks();
+  const Extent own = scene.body.rows().own();
+  agree(*shared, [&] { pressure = field_of(scene.data, "pressure", "Pa", own); });
   poisson = poisson_of(options, scene.data);
-  refuse_tension(pressure);
-  if (!options.above.empty()) scene.least = StressBound(options.above).in(scene.data);
+  agree(*shared, [&] { refuse_tension(scene.body.pressure, own.first); });
+  if (!options.above.empty())
+    scene.least = StressBound(options.above).in(scene.data, [&] { return scene.body.largest(); });
   scene.resolution = options.resolution == "full" ? DepthResolution::full : DepthResolution::adapted;
   return scene;
 }
 
 void record_parameters(StressScene& scene) {
-  const auto& [grid, pressure, poisson, friction] = scene.body;
+  const auto& [grid, pressure, poisson, friction, ranks] = scene.body;
   Attributes& a = scene.data.attributes;
   a.set("stress_poisson", poisson);
   a.set("stress_resolution", scene.resolution == DepthResolution::full ? "full" : "adapted");
@@ -103,14 +109,14 @@ void record_parameters(StressScene& scene) {
     a.set(scene.plane->along_x ? "stress_section_y" : "stress_section_x", place_of(*scene.plane, grid));
 }
 
-bool at_limit_pressure(const StressScene& scene) {
+bool at_limit_pressure(const Dataset& contact, const LoadedBody& body) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  return scene.body.pressure.maxCoeff() >= scene.data.attributes.number("contact_limit_pressure", none);
+  return body.largest() >= contact.attributes.number("contact_limit_pressure", none);
 }
 
 bool is_shallow(const LoadedBody& body, double depth) {
-  const Field& p = body.pressure;
-  const bool uniform = body.grid.periodic.both() && p.maxCoeff() - p.minCoeff() <= round_off * p.maxCoeff();
+  const double largest = body.largest();
+  const bool uniform = body.grid.periodic.both() && largest - body.least() <= round_off * largest;
   return depth < accurate_depth(body.grid) && !uniform;
 }
 

@@ -27,8 +27,8 @@ double depth_on(const Grid& grid, const std::string& option, const std::string& 
 double place_of(const Plane& plane, const Grid& grid);
 
 /// Throws ParameterError where the options contradict the dataset. A section through the maximum is not set
-/// yet.
-StressScene scene_of(const StressOptions& options, Dataset data);
+/// yet. Of several ranks each has some rows of the pressure, unless the grid is small.
+StressScene scene_of(const StressOptions& options, Dataset data, const Ranks& ranks = alone());
 /// The same of the only surface.
 StressScene read_scene(const Tool& tool, StressOptions& options);
 
@@ -40,7 +40,7 @@ void cut(StressScene& scene, const std::string& section, std::array<double, 2> m
 void record_parameters(StressScene& scene);
 
 /// Whether a cell of the contact is at its limit pressure.
-bool at_limit_pressure(const StressScene& scene);
+bool at_limit_pressure(const Dataset& contact, const LoadedBody& body);
 
 /// Whether stresses at this depth rest on single cells: it is less than the accurate depth, and the pressure
 /// not uniform.

@@ -49,8 +49,7 @@ int print_rows(Tool& tool, StressOptions& options) {
       [&](StressScene& scene, const std::string& name) {
         drop_results(scene.data, "stress");
         const StressSearch search = search_of(options, scene.body.grid);
-        const StressMaximum top = find_maximum(
-            tool, scene, search, StressSolver(scene.body, tool.thread_count(), scene.resolution));
+        const StressMaximum top = find_maximum(tool, scene, search);
         record_parameters(scene);
         in_turn([&rows, name, results = scene.data.attributes] { rows.add(name, results, true); });
         if (search.of == Criterion::von_mises) warn_of_yield(tool, scene, top.value);

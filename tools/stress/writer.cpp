@@ -25,6 +25,64 @@ std::vector<double> depths_of_interest(const StressScene& s, const std::vector<S
   return out;
 }
 
+// Rows of a layer on their way to the first rank, which takes its own as they come.
+class RowsToFirst {
+ public:
+  RowsToFirst(const StressSolver& solver, std::size_t outputs)
+      : ranks_(*solver.body().ranks),
+        rows_(solver.body().rows()),
+        shape_(solver.shape()),
+        own_(solver.rows()),
+        section_(shape_.nx != rows_.rows()),
+        kept_(ranks_.rank() == 0 ? 0 : outputs, Field(own_.count, shape_.ny)),
+        outputs_(outputs) {}
+
+  bool first() const { return ranks_.rank() == 0; }
+  void keep(std::size_t output, Index i, std::span<const double> values) {
+    std::ranges::copy(values, kept_[output].row(i - own_.first).data());
+  }
+  /// When a layer is complete: take(output, i, values) on the first rank, for the rows of the others.
+  template <class Take>
+  void tell(Take take) const {
+    if (section_) return;  // all of the first rank
+    for (std::size_t k = 0; k < outputs_; ++k)
+      for (int r = 1; r < ranks_.count(); ++r) tell(k, r, take);
+  }
+
+ private:
+  template <class Take>
+  void tell(std::size_t k, int from, Take take) const {
+    constexpr Index values_at_a_time = 1 << 18;
+    const Extent theirs = rows_.of(from);
+    const Index most = std::max<Index>(1, values_at_a_time / shape_.ny);
+    const auto all = static_cast<std::size_t>(ranks_.count());
+    for (Index begin = 0; begin < theirs.count; begin += most) {
+      const Index count = std::min(most, theirs.count - begin);
+      Ranks::Pieces to(all);
+      Ranks::Room room(all);
+      Field rows;
+      if (first()) {
+        rows.resize(count, shape_.ny);
+        room[static_cast<std::size_t>(from)] =
+            std::as_writable_bytes(std::span(rows.data(), size(rows.size())));
+      } else if (ranks_.rank() == from) {
+        to.front() = std::as_bytes(std::span(kept_[k].row(begin).data(), size(count * shape_.ny)));
+      }
+      ranks_.exchange(to, room);
+      for (Index i = 0; i < rows.rows(); ++i)
+        take(k, theirs.first + begin + i, std::span<const double>(rows.row(i).data(), size(shape_.ny)));
+    }
+  }
+
+  const Ranks& ranks_;
+  const Slabs rows_;
+  const Shape shape_;
+  const Extent own_;
+  const bool section_;
+  std::vector<Field> kept_;  // of each output
+  std::size_t outputs_;
+};
+
 }  // namespace
 
 StressWriter::StressWriter(const Tool& tool, StressScene& scene, const StressSelection& selection,
@@ -42,6 +100,16 @@ StressWriter::StressWriter(const Tool& tool, StressScene& scene, const StressSel
       steps_(tool, {"layer", "depth [um]", "greatest " + outputs_[0].name + " [MPa]"}) {}
 
 void StressWriter::write(const std::function<void(Attributes&)>& finish) {
+  if (tool_.speaks()) return write_all(finish);
+  if (scene_.body.ranks->count() == 1) return;  // all ranks alike
+  for (Index pass = agreed_passes(0); pass > 0; --pass) layers({});
+}
+
+Index StressWriter::agreed_passes(Index of_the_first) const {
+  return gathered(*scene_.body.ranks, std::vector{of_the_first}).front();
+}
+
+void StressWriter::write_all(const std::function<void(Attributes&)>& finish) {
   set_depths(scene_.data, scene_.depths);
   const auto result =
       sizeof(double) * outputs_.size() * scene_.depths.size() * static_cast<std::size_t>(shape_.cells());
@@ -53,16 +121,17 @@ void StressWriter::write(const std::function<void(Attributes&)>& finish) {
     record();
     out.head(scene_.data, outputs_.size());
   };
+  const bool once = out.rewritable() || result <= tool_.memory();
+  passes_ = size(agreed_passes(once ? 1 : 1 + std::ssize(outputs_)));
   if (out.rewritable()) {
     write_file(out);
     head();
-  } else if (result <= tool_.memory()) {
+  } else if (once) {
     const std::vector<Field> kept = keep();
     head();
     for (const Field& values : kept) out.values(values);
   } else {
-    passes_ = 1 + outputs_.size();
-    layers([&](std::size_t k, Index, Index, Values values) { survey(k, values); });
+    layers([](std::size_t, Index, Index, Values) {});
     head();
     for (std::size_t wanted = 0; wanted < outputs_.size(); ++wanted) write_again(out, wanted);
   }
@@ -81,7 +150,6 @@ void StressWriter::write_file(DatasetStream& out) {
   const auto count = static_cast<Index>(scene_.depths.size());
   out.head(scene_.data, outputs_.size());
   layers([&](std::size_t k, Index layer, Index i, Values values) {
-    survey(k, values);
     out.values_at((static_cast<Index>(k) * count + layer) * shape_.cells() + i * shape_.ny, values);
   });
   out.flush();
@@ -90,7 +158,6 @@ void StressWriter::write_file(DatasetStream& out) {
 std::vector<Field> StressWriter::keep() {
   std::vector<Field> kept(outputs_.size(), Field(static_cast<Index>(scene_.depths.size()), shape_.cells()));
   layers([&](std::size_t k, Index layer, Index i, Values values) {
-    survey(k, values);
     std::ranges::copy(values, kept[k].row(layer).data() + i * shape_.ny);
   });
   return kept;
@@ -107,28 +174,42 @@ void StressWriter::write_again(DatasetStream& out, std::size_t wanted) {
 }
 
 void StressWriter::layers(const Take& take, const std::function<void(Index layer)>& finished) {
-  const bool told = tool_.verbose() && done_ == 0;
+  const bool first_pass = done_ == 0, told = tool_.verbose() && first_pass;
   LayerRows rows(selection_, solver_);
+  RowsToFirst to_first(solver_, outputs_.size());
   auto compute = [&](Index l, StressSolver::Workspace& work) {
     rows.compute(l, depths_[size(l)], work, [&](std::size_t k, Index i, std::span<double> values) {
       if (told && k == 0) note_largest(l, values);
       if (hides(k))
         for (double& v : values) v = std::abs(v) >= scene_.least ? v : fill;
-      take(k, l, i, values);
+      if (first_pass) survey(k, values);
+      to_first.first() ? take(k, l, i, values) : to_first.keep(k, i, values);
     });
+  };
+  auto behind = [&](Index l) {
+    if (finished && to_first.first()) finished(l);
   };
   solver_.each_layer(depths_, compute, [&](Index begin, Index end) {
     for (Index l = begin; l < end; ++l) {
+      to_first.tell([&](std::size_t k, Index i, Values values) { take(k, l, i, values); });
       tell(size(l));
-      if (finished) finished(l);
+      behind(l);
     }
   });
   const std::vector<double> nothing(size(shape_.ny), fill);
   for (auto l = static_cast<Index>(depths_.size()); l < static_cast<Index>(scene_.depths.size()); ++l) {
-    for (std::size_t k = 0; k < outputs_.size(); ++k)
+    for (std::size_t k = 0; k < outputs_.size() && to_first.first(); ++k)
       for (Index i = 0; i < shape_.nx; ++i) take(k, l, i, nothing);
-    if (finished) finished(l);
+    behind(l);
   }
+  if (first_pass) agree_on_ranges();
+}
+
+void StressWriter::agree_on_ranges() {
+  const Ranks& ranks = *scene_.body.ranks;
+  if (ranks.count() == 1) return;
+  for (Range& range : ranges_)
+    range = {-asperity::largest(ranks, -range.low), asperity::largest(ranks, range.high)};
 }
 
 void StressWriter::survey(std::size_t output, Values values) {
@@ -153,6 +234,7 @@ void StressWriter::note_largest(Index layer, Values values) {
 
 void StressWriter::tell(std::size_t l) {
   ++done_;
+  if (tool_.verbose()) largest_[l] = asperity::largest(*scene_.body.ranks, largest_[l]);
   progress_.count(static_cast<double>(done_), static_cast<double>(passes_ * depths_.size()),
                   passes_ == 1 ? "layers" : "layers, in several passes");
   if (tool_.verbose() && done_ <= depths_.size())

@@ -30,8 +30,13 @@ class StressWriter {
   /// A row of an output, from any thread.
   using Take = std::function<void(std::size_t output, Index layer, Index i, Values values)>;
 
-  /// Every row of every layer, and what there is to do behind each layer.
+  /// What the first rank writes.
+  void write_all(const std::function<void(Attributes&)>& finish);
+  /// How often all layers are computed, by the word of the first rank.
+  Index agreed_passes(Index of_the_first) const;
+  /// Every row of every layer, and what there is to do behind each layer; on the first rank.
   void layers(const Take& take, const std::function<void(Index layer)>& finished = {});
+  void agree_on_ranges();
   bool hides(std::size_t output) const { return scene_.least > 0 && outputs_[output].is_stress(); }
   void survey(std::size_t output, Values values);
   void note_largest(Index layer, Values values);
