@@ -60,6 +60,12 @@ class Slabs {
     return {first, begin(rank + 1) - first};
   }
   Extent own() const { return of(ranks_->rank()); }
+  /// The most rows that a rank has.
+  Index longest() const {
+    Index most = 0;
+    for (int r = 0; r < ranks_->count(); ++r) most = std::max(most, of(r).count);
+    return most;
+  }
   bool operator==(const Slabs&) const = default;
 
  private:

@@ -65,17 +65,19 @@ class HalfSpaceInfluence : public LayerInfluence {
   TransferFunction transfer_function(Traction t, Index b, int worker) override {
     Work& work = work_[size(worker)];
     const Parity along = parity(odd_in_x(c_, t));
-    std::copy_n(columns_[c_].block(t, b), work.rows.size(), work.rows.begin());
+    std::copy_n(columns(c_).block(t, b), work.rows.size(), work.rows.begin());
     difference(along, work.rows.data(), taper_[0], along_x_.period());
     transform(along_x_, along, work.rows.data(), grid_.shape.nx, work, work.transfer[t].data());
     return {work.transfer[t], along_x_.stride()};
   }
 
   std::span<const double> by_lags(Traction t, Index b, int) override {
-    return {columns_[c_].block(t, b), size(lags_ * width)};
+    return {columns(c_).block(t, b), size(lags_ * width)};
   }
 
  private:
+  KernelColumns& columns(Component c) { return columns_[ready_.any() ? c : stress::xx]; }
+
   struct Work {
     explicit Work(const HalfSpaceInfluence& of)
         : rows(size(of.grid_.shape.nx * width)),
@@ -98,18 +100,18 @@ class HalfSpaceInfluence : public LayerInfluence {
     Extent own;
     for (Component c : stress::components) {
       if (!asked[c]) continue;
-      columns_[c].settle(lags_, room);
-      own = columns_[c].own_lags();
+      columns(c).settle(lags_, room);
+      own = columns(c).own_lags();
     }
     const int threads = static_cast<int>(work_.size());
     parallel_ranges((own.count + width - 1) / width, threads, [&](Index begin, Index end, int worker) {
       for (Index k = begin; k < end; ++k) transform_rows(asked, own.first + k * width, work_[size(worker)]);
     });
     for (Component c : stress::components)
-      if (asked[c]) columns_[c].complete(threads);
+      if (asked[c]) columns(c).complete(threads);
   }
 
-  void transform_rows(stress::Set asked, Index first_row, Work& work) const {
+  void transform_rows(stress::Set asked, Index first_row, Work& work) {
     double* out[3][6] = {};
     for (Traction t : stress::tractions)
       for (Component c : stress::components) {
@@ -124,17 +126,17 @@ class HalfSpaceInfluence : public LayerInfluence {
         if (out[t][c] != nullptr) transform_along_y(t, c, first_row, work);
   }
 
-  void transform_along_y(Traction t, Component c, Index first_row, Work& work) const {
+  void transform_along_y(Traction t, Component c, Index first_row, Work& work) {
     double* tile = work.tile[t][c].data();
     const Parity along = parity(odd_in_y(c, t));
     difference(along, tile, taper_[1], along_y_.period());
     transform(along_y_, along, tile, grid_.shape.ny, work, work.along_y_pairs.data());
     const Index rows = std::min(width, lags_ - first_row);
-    for (Index b = 0; b < columns_[c].blocks(); ++b)
+    for (Index b = 0; b < columns(c).blocks(); ++b)
       for (Index l = 0; l < rows; ++l) {
         const auto* row = reinterpret_cast<const double*>(work.along_y_pairs.data() +
                                                           l / 2 * along_y_.stride() + b * width);
-        double* column = columns_[c].place(t, b, first_row + l);
+        double* column = columns(c).place(t, b, first_row + l);
         for (Index q = 0; q < width; ++q) column[q] = scale * row[2 * q + l % 2];
       }
   }
@@ -154,7 +156,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   Component c_ = stress::xx;
   Index lags_ = 0;
   MirroredTransform along_x_, along_y_;
-  std::array<KernelColumns, 6> columns_;  ///< transformed along y only
+  std::array<KernelColumns, 6> columns_;  ///< transformed along y only; unless ready, in the first
   stress::Set ready_;                     ///< of a small layer: computed together
   std::vector<Work> work_;
 };

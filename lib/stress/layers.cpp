@@ -38,7 +38,8 @@ std::shared_ptr<const LayerPlan> StressSolver::plan(Level& level) const {
   return level.plan;
 }
 
-void StressSolver::layer(double z, stress::Set asked, Workspace& work, const StressRowSink& row) const {
+void StressSolver::layer(double z, stress::Set asked, Workspace& work, const StressRowSink& row,
+                         const BehindRows& behind) const {
   check_depth(z);
   const std::size_t level = level_at(z);
   work.levels_.resize(levels_.size());
@@ -47,7 +48,7 @@ void StressSolver::layer(double z, stress::Set asked, Workspace& work, const Str
     own.plan = plan(levels_[level]);
     own.work = own.plan->work(work.threads_);
   }
-  own.work->layer(z, asked, row);
+  own.work->layer(z, asked, row, behind);
 }
 
 // Sections are short; the sum over images (stress/images.hpp) is one thread's work.

@@ -86,8 +86,9 @@ class StressSolver {
   };
 
   /// The layer at depth z, row after row; if the workspace has several threads, rows come from all of them,
-  /// in any order and at the same time. Throws as check_depth does.
-  void layer(double z, stress::Set asked, Workspace& work, const StressRowSink& row) const;
+  /// in any order and at the same time. `behind`: as LayerWork::layer. Throws as check_depth does.
+  void layer(double z, stress::Set asked, Workspace& work, const StressRowSink& row,
+             const BehindRows& behind = {}) const;
 
   using LayerJob = std::function<void(Index layer, Workspace& work)>;
   /// Many layers on all threads: job(l, work) calls layer() for depths[l] as often as it wants. At most as

@@ -188,7 +188,7 @@ class SectionWork : public LayerWork {
         own_modes_(size(own_blocks().count * 6 * width)),
         samples_(size(6 * plan.resolution.row_length())) {}
 
-  void layer(double z, stress::Set asked, const StressRowSink& row) override {
+  void layer(double z, stress::Set asked, const StressRowSink& row, const BehindRows&) override {
     asked_ = {};
     for (Component c : stress::components) asked_[c] = asked[own(c)];
     influence_->set_depth(z, asked_, plan_.lag_count);

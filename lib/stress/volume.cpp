@@ -18,7 +18,7 @@ using stress::Component;
 using Transfer = std::array<LayerInfluence::TransferFunction, 3>;
 
 constexpr Index width = PrunedTransform::width, before = Interpolation::before, taps = Interpolation::taps;
-static_assert(width == LayerInfluence::width);
+static_assert(width == LayerInfluence::width && LayerWork::rows_at_a_time % RowTransform::rows == 0);
 
 // -i a z.
 Complex times_minus_i(double a, const Complex& z) { return {a * z.imag(), -a * z.real()}; }
@@ -101,7 +101,7 @@ class VolumeWork : public LayerWork {
         half_(transform_.half_spectrum()),
         buffers_(size(threads), Buffers(*this)) {}
 
-  void layer(double z, stress::Set asked, const StressRowSink& row) override {
+  void layer(double z, stress::Set asked, const StressRowSink& row, const BehindRows& behind) override {
     influence_->set_depth(z, asked);
     StressRow (VolumeWork::*row_at)(stress::Set, Index, Buffers&) const =
         wide() ? &VolumeWork::interpolated : &VolumeWork::inverted;
@@ -115,9 +115,16 @@ class VolumeWork : public LayerWork {
       else if (c != last_)
         invert(c);
     }
-    by_groups(own_.count, [&](Index first, Index count, Buffers& buffers) {
-      for (Index i = first; i < first + count; ++i) row(own_.first + i, (this->*row_at)(asked, i, buffers));
-    });
+    const bool shared = plan_.rows.shared() && behind;
+    const Index longest = plan_.rows.longest(), part = shared ? rows_at_a_time : longest;
+    for (Index begin = 0; begin < longest; begin += part) {
+      const Index here = std::clamp<Index>(own_.count - begin, 0, part);
+      by_groups(here, [&](Index from, Index count, Buffers& buffers) {
+        for (Index i = begin + from; i < begin + from + count; ++i)
+          row(own_.first + i, (this->*row_at)(asked, i, buffers));
+      });
+      if (shared) behind(begin);
+    }
   }
 
  private:

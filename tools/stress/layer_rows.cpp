@@ -12,27 +12,30 @@ LayerRows::LayerRows(const StressSelection& selection, const StressSolver& solve
   }
 }
 
-void LayerRows::compute(Index l, double z, StressSolver::Workspace& work, const Take& take) {
+void LayerRows::compute(Index l, double z, StressSolver::Workspace& work, const Take& take,
+                        const BehindRows& behind) {
   if (together_)
-    at_once(z, work, take);
+    at_once(z, work, take, behind);
   else
-    one_by_one(z, work, layers_[size(l) % layers_.size()], take);
+    one_by_one(z, work, layers_[size(l) % layers_.size()], take, behind);
 }
 
-void LayerRows::at_once(double z, StressSolver::Workspace& work, const Take& take) const {
-  solver_.layer(z, selection_.needs(), work, [&](Index i, const StressRow& row) {
-    for (const Placed& placed : placed_) hand_over(placed, row, i, take);
-  });
+void LayerRows::at_once(double z, StressSolver::Workspace& work, const Take& take,
+                        const BehindRows& behind) const {
+  auto row = [&](Index i, const StressRow& values) {
+    for (const Placed& placed : placed_) hand_over(placed, values, i, take);
+  };
+  solver_.layer(z, selection_.needs(), work, row, behind);
 }
 
 void LayerRows::one_by_one(double z, StressSolver::Workspace& work, std::optional<MisesLayer>& mises,
-                           const Take& take) const {
+                           const Take& take, const BehindRows& behind) const {
   const Extent own = solver_.rows();
   if (mises_ && !mises) mises.emplace(Shape{own.count, solver_.shape().ny});
   for (stress::Component c : stress::components) {
     const auto only = stress::Set().set(c);
     if ((selection_.needs() & only).none()) continue;
-    solver_.layer(z, only, work, [&](Index i, const StressRow& row) {
+    auto take_row = [&](Index i, const StressRow& row) {
       for (const Placed& placed : placed_)
         if (placed.quantity->needs == only) hand_over(placed, row, i, take);
       if (mises) mises->add(c, i - own.first, row[c]);
@@ -43,7 +46,8 @@ void LayerRows::one_by_one(double z, StressSolver::Workspace& work, std::optiona
         mises->row(i - own.first, quantity->of_mises, values);
         take(first, i, values);
       }
-    });
+    };
+    solver_.layer(z, only, work, take_row, behind);
   }
 }
 

@@ -20,17 +20,17 @@ class LayerRows {
   using Take = std::function<void(std::size_t output, Index i, std::span<double> values)>;
 
   LayerRows(const StressSelection& selection, const StressSolver& solver);
-  /// Layer l at depth z, within a job of StressSolver::each_layer.
-  void compute(Index l, double z, StressSolver::Workspace& work, const Take& take);
+  /// Layer l at depth z, within a job of StressSolver::each_layer; `behind` as StressSolver::layer calls it.
+  void compute(Index l, double z, StressSolver::Workspace& work, const Take& take, const BehindRows& behind);
 
  private:
   struct Placed {
     const StressQuantity* quantity;
     std::size_t first;  ///< of its outputs
   };
-  void at_once(double z, StressSolver::Workspace& work, const Take& take) const;
-  void one_by_one(double z, StressSolver::Workspace& work, std::optional<MisesLayer>& mises,
-                  const Take& take) const;
+  void at_once(double z, StressSolver::Workspace& work, const Take& take, const BehindRows& behind) const;
+  void one_by_one(double z, StressSolver::Workspace& work, std::optional<MisesLayer>& mises, const Take& take,
+                  const BehindRows& behind) const;
   void hand_over(const Placed& placed, const StressRow& row, Index i, const Take& take) const;
 
   const StressSelection& selection_;

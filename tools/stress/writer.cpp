@@ -1,6 +1,7 @@
 #include "tools/stress/writer.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -25,62 +26,62 @@ std::vector<double> depths_of_interest(const StressScene& s, const std::vector<S
   return out;
 }
 
-// Rows of a layer on their way to the first rank, which takes its own as they come.
+// Rows on their way to the first rank, which takes its own as they come.
 class RowsToFirst {
  public:
   RowsToFirst(const StressSolver& solver, std::size_t outputs)
       : ranks_(*solver.body().ranks),
         rows_(solver.body().rows()),
-        shape_(solver.shape()),
         own_(solver.rows()),
-        section_(shape_.nx != rows_.rows()),
-        kept_(ranks_.rank() == 0 ? 0 : outputs, Field(own_.count, shape_.ny)),
-        outputs_(outputs) {}
+        kept_(ranks_.rank() == 0 ? 0 : outputs, Field(LayerWork::rows_at_a_time, solver.shape().ny)),
+        filled_(outputs) {}
 
   bool first() const { return ranks_.rank() == 0; }
+  /// From any thread.
   void keep(std::size_t output, Index i, std::span<const double> values) {
-    std::ranges::copy(values, kept_[output].row(i - own_.first).data());
+    std::ranges::copy(values, kept_[output].row((i - own_.first) % LayerWork::rows_at_a_time).data());
+    filled_[output] = true;
   }
-  /// When a layer is complete: take(output, i, values) on the first rank, for the rows of the others.
+  /// Behind each rank's rows from `begin` on: take(output, i, values) on the first, for those of the others.
   template <class Take>
-  void tell(Take take) const {
-    if (section_) return;  // all of the first rank
-    for (std::size_t k = 0; k < outputs_; ++k)
-      for (int r = 1; r < ranks_.count(); ++r) tell(k, r, take);
+  void tell(Index begin, Index columns, Take take) {
+    std::vector<std::size_t> filled;
+    for (std::size_t k = 0; k < filled_.size(); ++k)
+      if (filled_[k].exchange(false)) filled.push_back(k);
+    filled = gathered(ranks_, filled);
+    std::ranges::sort(filled);
+    const auto again = std::ranges::unique(filled);
+    filled.erase(again.begin(), again.end());
+    for (const std::size_t k : filled)
+      for (int r = 1; r < ranks_.count(); ++r) tell(k, r, begin, columns, take);
   }
 
  private:
   template <class Take>
-  void tell(std::size_t k, int from, Take take) const {
-    constexpr Index values_at_a_time = 1 << 18;
+  void tell(std::size_t k, int from, Index begin, Index columns, Take take) const {
     const Extent theirs = rows_.of(from);
-    const Index most = std::max<Index>(1, values_at_a_time / shape_.ny);
+    const Index count = std::clamp<Index>(theirs.count - begin, 0, LayerWork::rows_at_a_time);
     const auto all = static_cast<std::size_t>(ranks_.count());
-    for (Index begin = 0; begin < theirs.count; begin += most) {
-      const Index count = std::min(most, theirs.count - begin);
-      Ranks::Pieces to(all);
-      Ranks::Room room(all);
-      Field rows;
-      if (first()) {
-        rows.resize(count, shape_.ny);
-        room[static_cast<std::size_t>(from)] =
-            std::as_writable_bytes(std::span(rows.data(), size(rows.size())));
-      } else if (ranks_.rank() == from) {
-        to.front() = std::as_bytes(std::span(kept_[k].row(begin).data(), size(count * shape_.ny)));
-      }
-      ranks_.exchange(to, room);
-      for (Index i = 0; i < rows.rows(); ++i)
-        take(k, theirs.first + begin + i, std::span<const double>(rows.row(i).data(), size(shape_.ny)));
+    Ranks::Pieces to(all);
+    Ranks::Room room(all);
+    Field rows;
+    if (first()) {
+      rows.resize(count, columns);
+      room[static_cast<std::size_t>(from)] =
+          std::as_writable_bytes(std::span(rows.data(), size(rows.size())));
+    } else if (ranks_.rank() == from) {
+      to.front() = std::as_bytes(std::span(kept_[k].data(), size(count * columns)));
     }
+    ranks_.exchange(to, room);
+    for (Index i = 0; i < rows.rows(); ++i)
+      take(k, theirs.first + begin + i, std::span<const double>(rows.row(i).data(), size(columns)));
   }
 
   const Ranks& ranks_;
   const Slabs rows_;
-  const Shape shape_;
   const Extent own_;
-  const bool section_;
-  std::vector<Field> kept_;  // of each output
-  std::size_t outputs_;
+  std::vector<Field> kept_;                // of each output
+  std::vector<std::atomic<bool>> filled_;  // likewise
 };
 
 }  // namespace
@@ -178,12 +179,15 @@ void StressWriter::layers(const Take& take, const std::function<void(Index layer
   LayerRows rows(selection_, solver_);
   RowsToFirst to_first(solver_, outputs_.size());
   auto compute = [&](Index l, StressSolver::Workspace& work) {
-    rows.compute(l, depths_[size(l)], work, [&](std::size_t k, Index i, std::span<double> values) {
+    auto take_row = [&](std::size_t k, Index i, std::span<double> values) {
       if (told && k == 0) note_largest(l, values);
       if (hides(k))
         for (double& v : values) v = std::abs(v) >= scene_.least ? v : fill;
       if (first_pass) survey(k, values);
       to_first.first() ? take(k, l, i, values) : to_first.keep(k, i, values);
+    };
+    rows.compute(l, depths_[size(l)], work, take_row, [&](Index begin) {
+      to_first.tell(begin, shape_.ny, [&](std::size_t k, Index i, Values values) { take(k, l, i, values); });
     });
   };
   auto behind = [&](Index l) {
@@ -191,7 +195,6 @@ void StressWriter::layers(const Take& take, const std::function<void(Index layer
   };
   solver_.each_layer(depths_, compute, [&](Index begin, Index end) {
     for (Index l = begin; l < end; ++l) {
-      to_first.tell([&](std::size_t k, Index i, Values values) { take(k, l, i, values); });
       tell(size(l));
       behind(l);
     }
