@@ -86,6 +86,7 @@ SubspaceCG::SubspaceCG(const ContactProblem& problem, const FreeSet& free, const
     b.of(trial_.d).setZero();
     return residual(b);
   });
+  first_largest_ = residual_.largest > 0 ? residual_.largest : 1;
 }
 
 // r = P_F (-g), in the place of q.
@@ -128,8 +129,8 @@ void SubspaceCG::precondition() {
 // r follows from g.
 SubspaceCG::Sums SubspaceCG::sums_of_z() {
   const bool varies = two_level_ != nullptr;
-  if (varies && steps_ == 0) trial_.before.setZero(trial_.q.rows(), trial_.q.cols());
-  return problem_.blocks().sum([&, level = mean_gap_](Block b) {
+  if (varies && steps_ == 0) trial_.before.assign(size(trial_.q.size()), 0.0F);
+  return problem_.blocks().sum([&, level = mean_gap_, scale = 1 / first_largest_](Block b) {
     const auto in_set = b.of(free_.mask);
     const auto z = b.of(std::as_const(trial_.q)), g = b.of(std::as_const(trial_.g));
     double zr = 0, sum = 0, zr_before = 0;
@@ -143,11 +144,11 @@ SubspaceCG::Sums SubspaceCG::sums_of_z() {
       auto before = b.of(trial_.before);
 #pragma omp simd reduction(+ : zr_before)
       for (Index i = 0; i < b.size; ++i) {
-        zr_before += z[i] * before[i];
-        before[i] = in_set[i] * (level - g[i]);
+        zr_before += z[i] * static_cast<double>(before[i]);
+        before[i] = static_cast<float>(in_set[i] * (level - g[i]) * scale);
       }
     }
-    return Sums{zr, sum, zr_before};
+    return Sums{zr, sum, zr_before / scale};
   });
 }
 

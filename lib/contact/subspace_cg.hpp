@@ -48,11 +48,11 @@ struct FreeSet {
 
 /// A pressure, its gap, a direction and the direction's displacement.
 struct Trial {
-  Field p;            ///< [Pa]
-  Field g;            ///< h + K p [m]
-  Field d;            ///< [Pa]
-  Field q;            ///< K d [m]; r and M r between
-  Field before = {};  ///< r of the step before; empty where M serves
+  Field p;                         ///< [Pa]
+  Field g;                         ///< h + K p [m]
+  Field d;                         ///< [Pa]
+  Field q;                         ///< K d [m]; r and M r between
+  std::vector<float> before = {};  ///< r of the step before, of the first one's largest; empty where M serves
 };
 
 /// r of all cells or some.
@@ -107,7 +107,7 @@ class SubspaceCG {
   const FreeSet& free_;
   Trial& trial_;
   TwoLevel* two_level_;
-  double mean_gap_, zr_old_ = 1;
+  double mean_gap_, zr_old_ = 1, first_largest_;
   SubspaceResidual residual_;
   int steps_ = 0, applications_ = 0;
 };
