@@ -126,7 +126,7 @@ struct Step {
 template <class Real>
 void BasicPrunedTransform<Real>::shared_pass(std::span<const Number> half,
                                              std::optional<std::span<Number>> back, int threads,
-                                             const Visit& work) const {
+                                             const Visit& work, bool inverse) const {
   constexpr Index points_at_a_time = 1 << 17;  // of a column of blocks: some megabytes come and go
   const Ranks& ranks = slabs_.ranks();
   const Index most = std::max<Index>(1, points_at_a_time / torus_.nx), here = rows_here() * width;
@@ -158,8 +158,8 @@ void BasicPrunedTransform<Real>::shared_pass(std::span<const Number> half,
         forward_columns(scratch.data(), block.data());
         work(step.mine.first + b, block.data());
         if (!back) continue;
-        columns_.inverse(block.data(), scratch.data());
-        step.from_columns(b, scratch.data(), stride());
+        if (inverse) columns_.inverse(block.data(), scratch.data());
+        step.from_columns(b, (inverse ? scratch : block).data(), stride());
       }
     });
     if (back) ranks.exchange(results, into);

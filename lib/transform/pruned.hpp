@@ -95,6 +95,15 @@ class BasicPrunedTransform {
       inverse_block(block, b, half, scratch);
     });
   }
+  /// The same, but transformed no more: the half spectrum gets the first nx rows of what work has made.
+  template <class Work>
+  void change_each_block(std::span<Number> half, int threads, Work work) const {
+    if (slabs_.shared()) return shared_pass(half, half, threads, work, false);
+    pass(half, threads, [&](Index b, Number* block, Number*) {
+      work(b, block);
+      rows_from_columns<width>(block, stride(), field_.nx, half.data() + b * field_.nx * width);
+    });
+  }
 
   // Of one rank alone.
   /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points,
@@ -118,9 +127,9 @@ class BasicPrunedTransform {
   }
 
   using Visit = std::function<void(Index b, Number* block)>;
-  // Blocks of all ranks' rows; back into `back`, if it is given.
+  // Blocks of all ranks' rows; back into `back`, if it is given, transformed in x or as they are.
   void shared_pass(std::span<const Number> half, std::optional<std::span<Number>> back, int threads,
-                   const Visit& work) const;
+                   const Visit& work, bool inverse = true) const;
   // Behind the rows of the field, `columns` are filled with zeros.
   void forward_columns(Number* columns, Number* block) const;
   Index rows_here() const { return slabs_.own().count; }

@@ -84,6 +84,15 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
   return out;
 }
 
+void StatsOptions::check_ranks(const Tool& tool, EnsembleInput& inputs) const {
+  field.check_ranks(tool, inputs);
+  if (asked_groups() != std::set{Group::height})
+    refuse_ranks(tool, "parameters", "all but `--parameters height`");
+  if (!profile.empty()) refuse_ranks(tool, "profile", profile);
+  if (!quantiles.empty()) refuse_ranks(tool, "quantiles", quantiles);
+  if (errors == "twins") refuse_ranks(tool, "errors", errors);
+}
+
 std::set<Group> StatsOptions::asked_groups() const {
   std::set<Group> out;
   for (const std::string& word : groups)
