@@ -86,10 +86,10 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
 
 void StatsOptions::check_ranks(const Tool& tool, EnsembleInput& inputs) const {
   field.check_ranks(tool, inputs);
-  if (asked_groups() != std::set{Group::height})
-    refuse_ranks(tool, "parameters", "all but `--parameters height`");
-  if (!profile.empty()) refuse_ranks(tool, "profile", profile);
-  if (!quantiles.empty()) refuse_ranks(tool, "quantiles", quantiles);
+  for (const std::string& group : groups)
+    if (group != "height") refuse_ranks(tool, "parameters", group);
+  if (!profile.empty()) refuse_ranks(tool, "profile", "a profile");
+  if (!quantiles.empty()) refuse_ranks(tool, "quantiles", "a quantile");
   if (errors == "twins") refuse_ranks(tool, "errors", errors);
 }
 
