@@ -124,6 +124,20 @@ TEST_CASE("several ranks find the correlation lengths of one, their errors and i
   }
 }
 
+// Of the first 64 lags alone, where lengths are looked for first, the lobe is open and nothing falls to 10 %.
+TEST_CASE("lengths beyond the first 64 lags are found as among all lags", "[acf][exact]") {
+  const Grid g = grid(400, 60);
+  const Surface surface = surface_of({g, moving_average(g.shape, {90, 3}, 7)}, alone());
+  const AcfEstimate estimate = AcfEstimate::of(surface, {.max_lag = default_max_lag(g)});
+  const Parameters lengths = acf_lengths(estimate, {{0.1, "10", "10 %"}}, {}, {}, {});
+  const auto crossing = first_crossing(estimate.rho, g, 0, 0.1);
+  REQUIRE(crossing);
+  CHECK(crossing->lag > 64);
+  CHECK(std::ranges::find(lengths, "length_10_x", &Parameter::name)->value == crossing->lag);
+  CHECK(std::ranges::find(lengths, "ellipticity_10", &Parameter::name)->value ==
+        central_lobe(estimate.rho, g, 0.1).ellipse->gamma());
+}
+
 TEST_CASE("several ranks find the height parameters of one with their errors, to the last bit",
           "[ranks][moments][law]") {
   for (const Case& c : cases()) {

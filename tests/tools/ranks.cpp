@@ -170,10 +170,9 @@ TEST_CASE("what needs the whole field is refused under mpirun in one line", "[ra
   draw();
   const std::vector<std::pair<std::string, std::string>> refused{
       {"asperity-acf s.nc --add acf_error -o no.nc", "--add: acf_error needs the whole field"},
-      {"asperity-acf s.nc --remove-form plane -o no.nc", "--remove-form: plane needs the whole field"},
       {"asperity-psd s.nc --result radial", "--result: radial needs the whole field"},
       {"asperity-psd s.nc p.nc -o no.nc", "2 surfaces cannot be measured"},
-      {"asperity-stats s.nc --parameters hybrid", "needs the whole field"},
+      {"asperity-stats s.nc --parameters hybrid", "--parameters: hybrid needs the whole field"},
   };
   for (const auto& [run, words] : refused) {
     const Outcome outcome = shell(mpirun(2) + run);
