@@ -40,7 +40,7 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
   }
   const auto [nx, ny] = grid.shape;
   const Index along_x = mirrored_blocks(most_x, nx), along_y = mirrored_blocks(most_y, ny);
-  const PairBlocks blocks(d, grid, max_lag, along_x, along_y, ranks);
+  PairBlocks blocks(d, grid, max_lag, along_x, along_y, ranks);
   const Eigen::MatrixXd waves = directions(blocks, {{along_x, along_y}, 1, 1, grid.periodic});
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
   waves_.assign(static_cast<std::size_t>(waves.rows()) + 1, {none, none, none, none});

@@ -74,7 +74,7 @@ Eigen::VectorXd PairBlocks::points(Index row) const {
   return out;
 }
 
-std::vector<PairSums> PairBlocks::sums(Extent some, int threads) const {
+std::vector<PairSums> PairBlocks::sums(Extent some, int threads) {
   std::vector<PairSums> out(size(some.count));
   std::vector<Near> near(out.size());
   for (Index begin = 0; begin < largest(along_x_, grid_.shape.nx); begin += piece_.nx) {
@@ -121,7 +121,7 @@ PairBlocks::Range PairBlocks::partnered(Range x, Index lag, Index n, bool period
   return {first, std::max(first, std::clamp(n - lag - x.first, Index{0}, x.length()))};
 }
 
-PairBlocks::Near PairBlocks::rows_about(Range x) const {
+PairBlocks::Near PairBlocks::rows_about(Range x) {
   const Index nx = grid_.shape.nx, all = x.length() > 0 ? x.length() + 2 * max_lag_.nx : 0;
   Near out{std::vector<Index>(size(all), -1), {}};
   std::vector<Index> wanted;
@@ -130,14 +130,18 @@ PairBlocks::Near PairBlocks::rows_about(Range x) const {
       out.rows[size(i)] = rows_.shared() ? std::ssize(wanted) : row;
       wanted.push_back(row);
     }
-  if (rows_.shared()) out.copy = rows_of(d_, rows_, wanted);
+  if (!rows_.shared()) return out;
+  const bool kept = wanted == kept_;
+  Field come = rows_of(d_, rows_, kept ? std::vector<Index>() : wanted);
+  if (!kept) copy_ = std::make_shared<const Field>(std::move(come)), kept_ = std::move(wanted);
+  out.copy = copy_;
   return out;
 }
 
 // value(z) of a piece and of all partners of its points, z NaN beyond the field.
 template <class Value>
 Field PairBlocks::surroundings(const Near& near, Range y, Value value) const {
-  const Field& f = rows_.shared() ? near.copy : d_;
+  const Field& f = rows_.shared() ? *near.copy : d_;
   const Index ny = grid_.shape.ny, Q = max_lag_.ny;
   return Field::NullaryExpr(std::ssize(near.rows), y.length() + 2 * Q, [&](Index i, Index j) {
     const Index row = near.rows[size(i)], column = inside(y.first + j - Q, ny, grid_.periodic.y);

@@ -8,6 +8,7 @@
 /// Of several ranks (core/ranks.hpp), each has some rows of the field, and gets the rows about its blocks.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,7 @@ class PairBlocks {
   bool complete() const { return complete_; }
   Index count() const { return along_x_ * along_y_; }
   /// (1) of some blocks, by a thread each; empty beyond the last. Collective: all ranks ask for as many.
-  std::vector<PairSums> sums(Extent some, int threads) const;
+  std::vector<PairSums> sums(Extent some, int threads);
   /// The waves at the middles of a block's pairs, a row a lag.
   AxisProducts waves(Index b, const std::vector<LongWaves::Wave>& all) const;
   /// The measured points of each block in a row of blocks; of one rank alone.
@@ -57,7 +58,7 @@ class PairBlocks {
   // Rows of the field that a piece and all partners of its points lie in; of several ranks, a copy of them.
   struct Near {
     std::vector<Index> rows;  // of the field or the copy; -1 beyond the field
-    Field copy;
+    std::shared_ptr<const Field> copy;
   };
   struct Spectrum;
 
@@ -66,7 +67,7 @@ class PairBlocks {
   static Range block(Index b, Index blocks, Index n);
   static Index largest(Index blocks, Index n);
   static Range partnered(Range x, Index lag, Index n, bool periodic);
-  Near rows_about(Range x) const;
+  Near rows_about(Range x);
   template <class Value>
   Field surroundings(const Near& near, Range y, Value value) const;
   void add_row(PairSums& out, const Near& near, Range x, Index y_of_block) const;
@@ -83,6 +84,8 @@ class PairBlocks {
   bool complete_;
   Shape piece_, torus_;
   RealTransform2D transform_;
+  std::vector<Index> kept_ = {};  // rows that were copied last: the next block's too, where it lies beside
+  std::shared_ptr<const Field> copy_ = std::make_shared<const Field>();
 };
 
 }  // namespace asperity
