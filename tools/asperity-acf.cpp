@@ -31,6 +31,7 @@ struct Options {
   bool adds(const std::string& name) const { return std::ranges::find(further, name) != further.end(); }
   void check(cli::Tool& tool) const {
     result.check(tool);
+    if (!further.empty()) cli::refuse_ranks(tool, "add", further.front());
     if (adds("acf_quantiles") && !result.dataset())
       throw cli::UsageError("add", "acf_quantiles needs --result dataset");
     if (adds("acf_error") && !result.dataset())
@@ -70,7 +71,7 @@ std::vector<AcfLevel> levels_of(const std::string& list) {
 void warn_of_lengths(const cli::Tool& tool, const Options& what, const Parameters& lengths, const Grid& grid,
                      const AcfEstimate* estimate = nullptr) {
   // Holes such as a checkerboard's leave no pair of neighbours.
-  if (estimate != nullptr && (std::isnan(estimate->rho(1, 0)) || std::isnan(estimate->rho(0, 1)))) {
+  if (estimate != nullptr && estimate->rho.within({1, 1}).half_plane().isNaN().any()) {
     tool.warn(
         "no two neighbouring points are both measured: the ACF at lag 1 is unknown, and so are lengths");
     return warn_of_few(tool, estimate->size);
@@ -103,7 +104,7 @@ cli::AcfResult estimate(const cli::Tool& tool, const Options& what, const Surfac
   const int threads = tool.thread_count();
   cli::AcfResult out{
       AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
-  if (what.result.dataset()) out.moments = moments(surface.heights);
+  if (what.result.dataset()) out.moments = moments(surface.heights, "heights", *surface.ranks);
   auto errors = [&](bool along_x) {
     return profile_errors(out.estimate, surface.heights, along_x, what.absolute, threads);
   };
@@ -141,9 +142,10 @@ void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& wha
   warn_of_lengths(tool, what, lengths, surface.grid, &result.estimate);
   if (!what.result.dataset()) return cli::print(tool, lengths);
   const cli::Inventory before(data);
-  add_acf(data, result, lengths, content(surface, what));
+  cli::SharedFields fields(result.estimate.rho.rows());
+  add_acf(data, fields, result, lengths, content(surface, what));
   before.tell(tool, data, "acf");
-  tool.write(data);
+  fields.first_writes([&] { tool.write(data); });
 }
 
 // Several: means, with errors by the spread between them.
@@ -232,6 +234,7 @@ void declare(cli::Tool& tool, Options& what) {
   tool.table();
   tool.output();
   tool.threads();
+  tool.shares_ranks();
   tool.essential({"--result", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--levels",
                   "--direction", "--max-lag", "--biased", "--add", "--json", "--output"});
   tool.example(
@@ -279,6 +282,7 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
+    options.check_ranks(tool, inputs);
     Surfaces surfaces(tool, options, what);
     inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
       member.alone() ? measure(tool, options, what, std::move(member.data)) : surfaces.add(member);

@@ -12,6 +12,7 @@
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
+#include "tools/cli/shared_fields.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/cli/turns.hpp"
 #include "tools/measure/field_options.hpp"
@@ -84,14 +85,14 @@ cli::Table profiles(const Sample& sample, const DataWindows& windows) {
 }
 
 // Writes psd, or another function of the wave numbers, in place of a former one.
-void write(Dataset& data, const char* name, const Field& half_plane, const Surface& surface,
-           const char* meaning) {
+void write(Dataset& data, cli::SharedFields& fields, const char* name, const Field& half_plane,
+           const Surface& surface, const char* meaning) {
   const auto step = [](double size) { return 2 * std::numbers::pi / size; };
-  set_table(data, name, half_plane,
-            {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
-            {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), per_length,
-             "wave number in y"},
-            {cli::density_units(surface.units, 2), meaning});
+  fields.set_table(data, name, half_plane,
+                   {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
+                   {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), per_length,
+                    "wave number in y"},
+                   {cli::density_units(surface.units, 2), meaning});
 }
 
 void describe(Dataset& data, const Surface& surface, const DataWindows& windows) {
@@ -110,15 +111,17 @@ void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& wha
   Surface surface = field.read(tool, data);
   if (!what.result.dataset()) return cli::print(tool, table(tool, what, std::move(surface)));
   const DataWindows windows = what.windows(surface.grid);
-  const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
+  const LagField psd =
+      power_spectrum(surface.heights, surface.grid, windows, tool.thread_count(), *surface.ranks);
   const cli::Inventory before(data);
   cli::drop_results(data, "psd", surface.variable);
-  write(data, "psd", psd.half_plane(), surface, "power spectral density of the field");
+  cli::SharedFields fields(psd.rows());
+  write(data, fields, "psd", psd.half_plane(), surface, "power spectral density of the field");
   describe(data, surface, windows);
   data.attributes.set("psd_relative_error", 1);
   data.attributes.set("psd_degrees_of_freedom", 2);
   before.tell(tool, data, "psd");
-  tool.write(data);
+  fields.first_writes([&] { tool.write(data); });
 }
 
 // Several: means, with errors by the spread between them.
@@ -150,8 +153,10 @@ class Surfaces {
     if (!what_.result.dataset()) return cli::print(tool_, table_.table());
     Dataset data;
     set_grid(data, last_.grid);
-    write(data, "psd", psd_.mean(), last_, "mean power spectral density of the surfaces");
-    write(data, "psd_error", psd_.standard_error(), last_,
+    const Field mean = psd_.mean();
+    cli::SharedFields fields{Slabs(mean.rows())};
+    write(data, fields, "psd", mean, last_, "mean power spectral density of the surfaces");
+    write(data, fields, "psd_error", psd_.standard_error(), last_,
           "standard error of the mean power spectral density");
     describe(data, last_, what_.windows(last_.grid));
     data.attributes.set("psd_surfaces", surfaces_);
@@ -185,6 +190,7 @@ void declare(cli::Tool& tool, Options& what) {
   tool.table();
   tool.output();
   tool.threads();
+  tool.shares_ranks();
   tool.essential({"--result", "--window", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
                   "--output", "--threads", "--from"});
   tool.example(
@@ -233,6 +239,8 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     what.result.check(tool);
+    if (!what.result.dataset()) cli::refuse_ranks(tool, "result", what.result.result);
+    options.check_ranks(tool, inputs);
     Surfaces surfaces(tool, options, what);
     inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
       member.alone() ? measure(tool, options, what, std::move(member.data)) : surfaces.add(member);

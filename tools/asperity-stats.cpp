@@ -40,11 +40,18 @@ class Surfaces {
     tool_.detail(name);
     if (const auto part = cli::counted_cells(data, field_.variable)) tool_.note(part->told_of_all());
     grids_.add(tool_, grid_of(data), name, si_unit_of(data.at(field_.variable)));
-    add(Sample(field_.read(tool_, data), asked_.groups.contains(Group::hybrid), tool_.thread_count()), alone);
+    const bool alike = twins_are_quick(grid_of(data), asked_);  // they need the whole field
+    Surface surface = field_.read(tool_, data, alike ? asperity::alone() : tool_.ranks());
+    if (surface.ranks->count() > 1 && surface.degree > 0)
+      throw DataError(field_.variable, "errors above the form that was removed need the whole field, which " +
+                                           std::to_string(surface.ranks->count()) +
+                                           " ranks share: start one process");
+    add(Sample(std::move(surface), asked_.groups.contains(Group::hybrid), tool_.thread_count()), alone);
   }
   /// Whether a file is too large for memory, and read in strips.
   bool in_strips(const std::string& path) const {
-    return (tool_.given("--memory") || whole_.empty()) && cli::larger_than_memory(path, tool_.memory());
+    return tool_.ranks().count() == 1 && (tool_.given("--memory") || whole_.empty()) &&
+           cli::larger_than_memory(path, tool_.memory());
   }
   void add_in_strips(const std::string& path) {
     if (!whole_.empty()) cli::refuse_strips(path, whole_);
@@ -161,9 +168,11 @@ int main(int argc, char** argv) {
   options.declare(tool);
   tool.table();
   tool.threads();
+  tool.shares_ranks();
   document(tool);
 
   return tool.run(argc, argv, [&] {
+    options.check_ranks(tool, surfaces);
     Surfaces measured(tool, options);
     surfaces.for_each(
         tool,

@@ -263,12 +263,6 @@ double love_integral(double x, double y, double a, double b) {
   return r < 160 ? gauss_rule(gauss3, x, y, a, b) : multipoles(x, y, a, b);
 }
 
-Slabs shared_rows(Shape shape, const Ranks& ranks) {
-  const bool worth =
-      shape.cells() > calibration::contact::own_cells && shape.nx >= Slabs::run * ranks.count();
-  return worth ? Slabs(shape.nx, ranks) : Slabs(shape.nx);
-}
-
 double displacement_datum(const Grid& grid) {
   return grid.periodic.one() ? (grid.periodic.x ? grid.size_y() : grid.size_x()) / 2 : 0;
 }

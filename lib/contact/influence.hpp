@@ -46,9 +46,6 @@ double love_integral(double x, double y, double a, double b);
 /// d of (3): the distance at which a line load displaces nothing [m]; 0 unless periodic along one axis.
 double displacement_datum(const Grid& grid);
 
-/// Ranks share grids above 512 × 512 cells of 64 rows each or more; on others each does all.
-Slabs shared_rows(Shape shape, const Ranks& ranks);
-
 /// K of (2); of (3) where the grid is periodic along one axis, of (4) where it is along both.
 std::unique_ptr<ElasticOperator> make_influence(const Grid& grid, double composite_modulus, int threads = 1,
                                                 const Ranks& ranks = alone());

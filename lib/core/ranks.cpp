@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/calibration.hpp"
 #include "core/error.hpp"
 
 namespace asperity {
@@ -18,6 +19,12 @@ void Ranks::end(int, const std::string&) const {}
 const Ranks& alone() {
   static const Ranks only;
   return only;
+}
+
+Slabs shared_rows(Shape shape, const Ranks& ranks) {
+  const bool worth =
+      shape.cells() > calibration::contact::own_cells && shape.nx >= Slabs::run * ranks.count();
+  return worth ? Slabs(shape.nx, ranks) : Slabs(shape.nx);
 }
 
 double largest(const Ranks& ranks, double own) {
@@ -119,6 +126,18 @@ Field transposed(const ConstRows& own, const Slabs& slabs) {
     const Extent rows = slabs.of(r);
     out.middleCols(rows.first, rows.count) =
         Eigen::Map<const Field>(parts[static_cast<std::size_t>(r)].data(), here, rows.count);
+  }
+  return out;
+}
+
+// Some rows at a time, for rows_of copies them.
+Field dealt_again(Field own, const Slabs& from, const Slabs& to) {
+  if (!from.shared()) return own;
+  const Extent mine = to.own();
+  Field out(mine.count, own.cols());
+  for (Index done = 0; done < to.longest(); done += Slabs::run) {
+    const Index first = std::min(done, mine.count), count = std::min(Slabs::run, mine.count - first);
+    out.middleRows(first, count) = rows_of(own, from, Extent{mine.first + first, count});
   }
   return out;
 }

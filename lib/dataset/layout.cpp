@@ -263,15 +263,19 @@ void set_volume(Dataset& dataset, std::string_view name, std::vector<double> val
   dataset.put(make(name, {"z", "x", "y"}, std::move(values), meaning));
 }
 
-void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
-               Meaning meaning, Missing missing) {
+void set_axes(Dataset& dataset, Shape table, Axis row, Axis column) {
   auto set_axis = [&](const Axis& axis, Index n) {
     std::vector<double> points;
     for (Index i = 0; i < n; ++i) points.push_back(static_cast<double>(axis.first + i) * axis.step);
     put_coordinate(dataset, coordinate(axis.name, std::move(points), axis.unit, axis.meaning));
   };
-  set_axis(row, values.rows());
-  set_axis(column, values.cols());
+  set_axis(row, table.nx);
+  set_axis(column, table.ny);
+}
+
+void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
+               Meaning meaning, Missing missing) {
+  set_axes(dataset, shape_of(values), row, column);
   dataset.put(make(name, {std::string(row.name), std::string(column.name)}, flat(values), meaning, missing));
 }
 

@@ -84,7 +84,9 @@ struct Axis {
   std::string_view unit = "1";
   std::string_view meaning = "index";
 };
-/// Writes name(row, column) and the coordinates row(row) and column(column).
+/// Writes the coordinates row(row) and column(column) of a table.
+void set_axes(Dataset& dataset, Shape table, Axis row, Axis column);
+/// Writes name(row, column) and the coordinates.
 void set_table(Dataset& dataset, std::string_view name, const Field& values, Axis row, Axis column,
                Meaning meaning, Missing missing = Missing::refused);
 /// A variable on any two dimensions as a field, unconverted ("") or in a given unit; throws DataError when

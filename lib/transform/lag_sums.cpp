@@ -1,5 +1,8 @@
 #include "transform/lag_sums.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/large_field.hpp"
 #include "core/parallel.hpp"
 
@@ -14,15 +17,18 @@ Shape torus_for(const Grid& grid, Shape max_lag) {
 
 // put() brings a field into the half spectrum.
 template <class Put>
-Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads) {
+Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads, const Ranks& ranks) {
   constexpr Index group = RowTransform::rows;
-  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
+  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag), Ways::both, ranks);
   HalfSpectrum half = transform.half_spectrum();
   put(transform, half);
   transform.filter(half, threads, [&](Index, Complex* block) {
     for (Index k = 0; k < transform.block_size(); ++k) block[k] = std::norm(block[k]);
   });
-  const Index period = transform.torus().ny, rows = max_lag.nx + 1;
+  const Slabs lags_of_all(max_lag.nx + 1, ranks);
+  const Extent own = transform.slabs().own();
+  const Index period = transform.torus().ny,
+              rows = std::clamp(lags_of_all.rows() - own.first, Index{0}, own.count);
   Field sums = large_field({rows, 2 * max_lag.ny + 1});
   parallel_ranges((rows + group - 1) / group, threads, [&](Index begin, Index end, int) {
     Field lags(group, period);
@@ -36,7 +42,8 @@ Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads) {
     }
   });
   sums /= static_cast<double>(transform.torus().cells());
-  return sums;
+  half = {};
+  return dealt_again(std::move(sums), transform.slabs(), lags_of_all);
 }
 
 }  // namespace
@@ -44,13 +51,13 @@ Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads) {
 Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
   return sums_of(
       [&](const PrunedTransform& transform, HalfSpectrum& half) { transform.forward_rows(f, half, threads); },
-      grid, max_lag, threads);
+      grid, max_lag, threads, alone());
 }
 
-Field lag_sums_of_rows(const RowSource& f, const Grid& grid, Shape max_lag, int threads) {
+Field lag_sums_of_rows(const RowSource& f, const Grid& grid, Shape max_lag, int threads, const Ranks& ranks) {
   return sums_of([&](const PrunedTransform& transform,
                      HalfSpectrum& half) { transform.forward_each_row(f, half, threads); },
-                 grid, max_lag, threads);
+                 grid, max_lag, threads, ranks);
 }
 
 }  // namespace asperity

@@ -111,9 +111,10 @@ void BasicPrunedTransform<Real>::shared_pass(const Shared& blocks, int threads, 
         }
         work(own.first + b, block.data(), worker);
         if (!blocks.back) continue;
-        columns_.inverse(block.data(), scratch.data());
+        if (blocks.inverse) columns_.inverse(block.data(), scratch.data());
+        const Number* columns = (blocks.inverse ? scratch : block).data();
         for (int r = 0; r < ranks; ++r)
-          rows_from_columns<width>(scratch.data() + rows(r).first, stride(), rows(r).count,
+          rows_from_columns<width>(columns + rows(r).first, stride(), rows(r).count,
                                    exchange.part(step, b, r).data());
       }
     });

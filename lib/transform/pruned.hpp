@@ -117,6 +117,18 @@ class BasicPrunedTransform {
       inverse_block(block, b, half, scratch);
     });
   }
+  /// As filter(), but transformed no more: the half spectrum gets the first nx rows of what work has made.
+  template <class Work>
+  void change_each_block(std::span<Number> half, int threads, Work work) const {
+    if (slabs_.shared())
+      return shared_pass({half, half, blocks(), false}, threads,
+                         [&](Index b, Number* block, int) { work(b, block); });
+    pass(blocks(), threads, [&](Index b, Number* block, Number* scratch, int) {
+      forward_block(half, b, block, scratch);
+      work(b, block);
+      rows_from_columns<width>(block, stride(), field_.nx, half.data() + b * field_.nx * width);
+    });
+  }
 
   // Of one rank alone.
   /// Block b of the half spectrum, zeros below it, transformed in x: `block` [8][kx] of block_size() points,
@@ -136,11 +148,12 @@ class BasicPrunedTransform {
     });
   }
 
-  // Blocks of all ranks' rows: of which half spectrum, if any, and back into which.
+  // Blocks of all ranks' rows: of which half spectrum, if any, and back into which, transformed in x or not.
   struct Shared {
     std::optional<std::span<const Number>> half;
     std::optional<std::span<Number>> back;
     Index count;
+    bool inverse = true;
   };
   using Visit = std::function<void(Index b, Number* block, int worker)>;
   void shared_pass(const Shared& blocks, int threads, const Visit& work) const;

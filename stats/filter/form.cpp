@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "math/linear_algebra.hpp"
@@ -17,6 +19,19 @@ double first_valid(const Field& z) {
   for (const double height : z.reshaped<Eigen::RowMajor>())
     if (!std::isnan(height)) return height;
   throw DataError("heights", "every point is missing");
+}
+
+// Of the first rank's rows.
+double first_valid(const Field& z, const Ranks& ranks) {
+  std::vector<double> first;
+  if (ranks.rank() == 0) first.push_back(first_valid(z));
+  return gathered(ranks, first).front();
+}
+
+// The mean of the rows' means; NaN where a height is missing.
+double mean_of_rows(const Eigen::ArrayXd& own, const Ranks& ranks) {
+  const std::vector<double> all = gathered(ranks, std::vector<double>(own.begin(), own.end()));
+  return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
 }
 
 Mean mean_of_valid(const Field& z) {
@@ -57,8 +72,8 @@ Mean MeanSum::mean() const {
   return {*base_, total_.sum / total_.count};
 }
 
-Mean mean_above_base(const Field& z) {
-  const double base = first_valid(z), above = (z - base).rowwise().mean().mean();
+Mean mean_above_base(const Field& z, const Ranks& ranks) {
+  const double base = first_valid(z, ranks), above = mean_of_rows((z - base).rowwise().mean(), ranks);
   return std::isnan(above) ? mean_of_valid(z) : Mean{base, above};
 }
 
@@ -107,11 +122,16 @@ void FormFit::remove(Eigen::Ref<Field> heights, Index row, Index column, std::si
     heights -= products_.combined(steps_[pass], row, column, {heights.rows(), heights.cols()});
 }
 
+Field remove_mean(Field heights, const Ranks& ranks) {
+  heights -= first_valid(heights, ranks);
+  const double level = mean_of_rows(heights.rowwise().mean(), ranks);
+  heights -= std::isnan(level) ? mean_of_valid(heights).value() : level;
+  return heights;
+}
+
 Field remove_form(Field heights, int degree) {
   FormFit fit(shape_of(heights), degree);
-  heights -= first_valid(heights);
-  const double level = heights.rowwise().mean().mean();
-  heights -= std::isnan(level) ? mean_of_valid(heights).value() : level;
+  heights = remove_mean(std::move(heights));
   if (degree == 0) return heights;
   for (std::size_t pass = 0; !fit.done(); ++pass) {
     fit.add(heights, 0);

@@ -27,6 +27,7 @@
 #include <Eigen/Core>
 
 #include "core/field.hpp"
+#include "core/ranks.hpp"
 #include "stats/filter/axis_products.hpp"
 #include "stats/filter/missing.hpp"
 
@@ -58,9 +59,10 @@ class MeanSum {
   ValidSum total_;
 };
 
-/// Throws DataError("heights", …) when every point is missing.
-Mean mean_above_base(const Field& z);
-inline double mean(const Field& z) { return mean_above_base(z).value(); }
+/// Throws DataError("heights", …) when every point is missing. Of several ranks, each has some rows of a
+/// field without missing points.
+Mean mean_above_base(const Field& z, const Ranks& ranks = alone());
+inline double mean(const Field& z, const Ranks& ranks = alone()) { return mean_above_base(z, ranks).value(); }
 
 /// (1) or (2) of a field that comes in strips of rows, by passes over it until done().
 class FormFit {
@@ -91,5 +93,7 @@ class FormFit {
 
 /// The heights above (1), or (2), in their place; throws as FormFit.
 Field remove_form(Field heights, int degree = 0);
+/// The same of degree 0, of several ranks as mean_above_base.
+Field remove_mean(Field heights, const Ranks& ranks = alone());
 
 }  // namespace asperity

@@ -35,18 +35,19 @@ HeightErrors::HeightErrors(const Grid& grid, double mean, double sq, int degree)
   modes_ = Eigen::VectorXd::Zero(products_.count());
 }
 
-void HeightErrors::add(const Field& rows, int threads) {
+void HeightErrors::add(const Field& rows, int threads, const Ranks& ranks) {
   if (degree_ > 0) {
     modes_ += products_.sums(zero_filled((rows - mean_) / sq_), rows_);
     products_.add(gram_, validity(rows), rows_);
     rows_ += rows.rows();
   }
-  sums_.add_rows(rows.rows(), threads, [&](Index i, LocalSums::Values& values) {
+  const auto fill = [&](Index i, LocalSums::Values& values) {
     const Eigen::ArrayXd x = (rows.row(i).transpose() - mean_) / sq_, square = x.square();
     auto set = [&](Local a, const auto& value) { values.col(a + 1) = value.matrix(); };
     set(first, x), set(second, square), set(third, square * x), set(fourth, square.square());
     set(absolute, x.abs()), set(sign, x.sign());
-  });
+  };
+  sums_.add_rows(rows.rows(), threads, fill, ranks);
 }
 
 // The heights lack the modes of the form, so that their power is that of the others.

@@ -42,8 +42,8 @@ class HeightErrors {
 
   /// Of a field with this mean and rms height, measured from a form of this degree.
   HeightErrors(const Grid& grid, double mean, double sq, int degree = 0);
-  /// The next rows of the field.
-  void add(const Field& rows, int threads = 1);
+  /// The next rows of the field. Of several ranks, each has its rows of the whole field, and the degree is 0.
+  void add(const Field& rows, int threads = 1, const Ranks& ranks = alone());
   /// Adds no more.
   void finish(const FieldExtent& extent);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/calibration.hpp"
 #include "core/halved.hpp"
@@ -39,9 +40,10 @@ Resolved SlopeGrowth::resolved() const {
                                                     : Resolved::yes;
 }
 
-SlopeGrowth slope_growth(const Field& heights, const Grid& grid, int threads) {
+SlopeGrowth slope_growth(Field z, const Grid& grid, int threads) {
   if (std::min(grid.shape.nx, grid.shape.ny) < least_side) return {std::numeric_limits<double>::quiet_NaN()};
-  Field z = grid.periodic.both() ? heights : remove_form(heights, 2);
+  const double with_form = mean_square_slope(z, grid);
+  if (!grid.periodic.both()) z = remove_form(std::move(z), 2);
   std::array<double, 3> slopes{};
   Grid cells = grid;
   for (double& slope : slopes) {
@@ -51,7 +53,6 @@ SlopeGrowth slope_growth(const Field& heights, const Grid& grid, int threads) {
     cells = halved(cells);
   }
   const double first = slopes[0] - slopes[1], second = slopes[1] - slopes[2];
-  const double with_form = mean_square_slope(heights, grid);
   if (!(first > round_off * slopes[0] && slopes[0] > left_of_form * with_form)) return {0};
   return {second > 0 ? first / second : std::numeric_limits<double>::infinity()};
 }

@@ -30,6 +30,6 @@ struct SlopeGrowth {
 };
 
 /// Of heights without missing points [m]. 0 where the slope does not change: a plane, a constant.
-SlopeGrowth slope_growth(const Field& heights, const Grid& grid, int threads = 1);
+SlopeGrowth slope_growth(Field heights, const Grid& grid, int threads = 1);
 
 }  // namespace asperity

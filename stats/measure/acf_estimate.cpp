@@ -14,10 +14,22 @@ namespace {
 
 constexpr double unlimited = AcfDeviations::beyond;
 
+// The first rows of lags, as many as lengths at a level and above are found in; all, if some are not found.
+LagField lags_of_lengths(const LagField& rho, const Grid& grid, double level,
+                         const std::optional<double>& direction = {}) {
+  for (Index last = 63;; last = 2 * last + 1) {
+    const LagField near = rho.within({last, rho.max_q()});
+    auto crossed = [&](double angle) { return first_crossing(near, grid, angle, level).has_value(); };
+    const bool found = crossed(0) && crossed(std::numbers::pi / 2) && (!direction || crossed(*direction)) &&
+                       central_lobe(near, grid, level).r_max;
+    if (found || last >= rho.max_p()) return near;
+  }
+}
+
 // Lags at which the upper end of an interval is looked for: two and a half times as far as ρ exceeds the
 // level, on an ellipse.
 Shape lags_about(const LagField& rho, const Grid& grid, double level) {
-  const CentralLobe lobe = central_lobe(rho, grid, level);
+  const CentralLobe lobe = central_lobe(lags_of_lengths(rho, grid, level), grid, level);
   if (!lobe.r_min || !lobe.r_max) return rho.max_lag();
   const double c = std::cos(lobe.r_max->angle), s = std::sin(lobe.r_max->angle);
   auto far = [&](double along_major, double along_minor, double spacing, Index most) {
@@ -35,20 +47,30 @@ AcfDeviations deviations_of(const AcfEstimate& estimate, const LagWaves& waves) 
 }
 
 LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads) {
-  return {heights, estimate.grid(), max_lag, estimate.basis.extent(), threads};
+  return {heights,
+          estimate.grid(),
+          max_lag,
+          estimate.basis.extent(),
+          threads,
+          LagWaves::Number::all,
+          estimate.rho.rows().ranks()};
 }
 
 // At lags up to half the field, of seven waves at most: time and memory grow with their number.
 LagWaves few_waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads) {
-  return {heights, estimate.grid(), max_lag, estimate.basis.extent(), threads, LagWaves::Number::few};
+  return {heights,
+          estimate.grid(),
+          max_lag,
+          estimate.basis.extent(),
+          threads,
+          LagWaves::Number::few,
+          estimate.rho.rows().ranks()};
 }
 
 // The lengths at one level, of a target or of the estimate; only the latter has errors.
-void add_lengths(ParameterList& out, const AcfEstimate& estimate, const AcfLevel& level,
-                 const std::optional<double>& direction, const LagField* target, const LengthErrors* errors) {
-  const LagField& rho = target ? *target : estimate.rho;
-  const Grid& grid = estimate.grid();
-  const std::string prefix = target ? "target_" : "";
+void add_lengths(ParameterList& out, const LagField& rho, const Grid& grid, const AcfLevel& level,
+                 const std::optional<double>& direction, const std::string& prefix,
+                 const LengthErrors* errors) {
   auto along = [&](const std::string& name, double angle) -> std::optional<double> {
     const auto crossing = first_crossing(rho, grid, angle, level.value);
     if (!crossing) return std::nullopt;
@@ -103,14 +125,16 @@ void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& gri
 
 AcfEstimate::AcfEstimate(const LagField& acf, const ErrorBasis& of_errors, bool divided_by_all)
     : rho(acf.normalised()),
-      variance(acf(0, 0)),
+      variance(acf.at_zero()),
       basis(of_errors),
       size(basis.size()),
       biased(divided_by_all) {}
 
 AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& parameters) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, parameters.threads);
-  const LagField acf = estimate_autocorrelation(surface.heights, pairs, parameters);
+  AcfParameters shared = parameters;
+  shared.ranks = surface.ranks;
+  const LagField acf = estimate_autocorrelation(surface.heights, pairs, shared);
   return {acf,
           {surface.correlation.value_or(acf),
            !surface.correlation,
@@ -147,7 +171,8 @@ ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, 
                     student_quantile(0.025, waves.degrees()), Eigen::ArrayXd()};
   out.structure(0) = 0;
   const double left = 1 - estimate.size.taken_by_form();
-  const Eigen::ArrayXd rho = profile(estimate.rho), freed = profile(estimate.size.freed(estimate.rho));
+  const LagField near = estimate.rho.within(lags);
+  const Eigen::ArrayXd rho = profile(near), freed = profile(estimate.size.freed(near));
   out.bias = absolute ? (estimate.variance * (rho - freed / left)).eval() : (rho - freed).eval();
   if (!estimate.size.gives_errors()) out.structure.setConstant(unknown);
   return out;
@@ -212,9 +237,12 @@ Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>&
                        const std::optional<double>& direction, const std::optional<LagField>& target,
                        const std::optional<LengthErrors>& errors) {
   ParameterList out("1");
+  const Grid& grid = estimate.grid();
+  const double least = std::ranges::min(levels, {}, &AcfLevel::value).value;
+  const LagField near = lags_of_lengths(estimate.rho, grid, least, direction);
   for (const AcfLevel& level : levels) {
-    add_lengths(out, estimate, level, direction, nullptr, errors ? &*errors : nullptr);
-    if (target) add_lengths(out, estimate, level, direction, &*target, nullptr);
+    add_lengths(out, near, grid, level, direction, "", errors ? &*errors : nullptr);
+    if (target) add_lengths(out, *target, grid, level, direction, "target_", nullptr);
   }
   return std::move(out).with_known_errors(estimate.size);
 }

@@ -14,7 +14,7 @@ namespace {
 SurfaceSums summed(const Surface& surface, ErrorBasis basis, bool derivatives, int threads) {
   DerivativeSums sums;
   if (derivatives) sums.add(Strip::whole(surface.heights, surface.grid), mean(surface.heights), threads);
-  return {moments(surface.heights, surface.variable), sums, std::move(basis)};
+  return {moments(surface.heights, surface.variable, *surface.ranks), sums, std::move(basis)};
 }
 
 SurfaceSums summed(const StripReader& reader, const Surface& surface, bool derivatives, int threads) {
@@ -111,7 +111,10 @@ void Sample::add_all(Sums& sums) const {
 const std::optional<HeightErrors>& Sample::height_errors() const {
   if (errors_ && !height_errors_) {
     height_errors_.emplace(grid(), moments().mean, moments().sq, surface_.degree);
-    add_all(*height_errors_);
+    if (whole())
+      height_errors_->add(surface_.heights, threads_, *surface_.ranks);
+    else
+      add_all(*height_errors_);
     height_errors_->finish(extent());
   }
   return height_errors_;

@@ -15,7 +15,9 @@
 namespace asperity {
 namespace {
 
-double largest_of(const Field& z) { return z.abs().maxCoeff<Eigen::PropagateNumbers>(); }
+double largest_of(const Surface& surface) {
+  return largest(*surface.ranks, surface.heights.abs().maxCoeff<Eigen::PropagateNumbers>());
+}
 
 Field waves_beyond(Surface& surface, const char* name, const Cutoff& cutoff, int threads) try {
   MeanSurface waves = mean_surface(surface.heights, surface.grid, cutoff, threads);
@@ -28,10 +30,12 @@ Field waves_beyond(Surface& surface, const char* name, const Cutoff& cutoff, int
 }  // namespace
 
 Surface prepared(Surface surface, const Preparation& preparation, int threads) {
-  surface.level = mean(surface.heights);
-  const double size = surface.largest = largest_of(surface.heights);
+  surface.level = mean(surface.heights, *surface.ranks);
+  const double size = surface.largest = largest_of(surface);
   const auto& [form, shorter, longer] = preparation;
-  surface.heights = without_form(std::move(surface.heights), surface.grid, form, threads).heights;
+  surface.heights = form.is_mean()
+                        ? remove_mean(std::move(surface.heights), *surface.ranks)
+                        : without_form(std::move(surface.heights), surface.grid, form, threads).heights;
   surface.degree = std::max(surface.degree, form.modes());
   if (shorter.given()) surface.heights = waves_beyond(surface, "lambda-s", shorter, threads);
   if (longer.given()) {
@@ -42,7 +46,7 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
     surface.heights -= mean(surface.heights);
     surface.correlation.reset(), surface.distribution.reset();
   }
-  refuse_round_off(largest_of(surface.heights), size, form, surface.variable);
+  refuse_round_off(largest_of(surface), size, form, surface.variable);
   return surface;
 }
 
@@ -63,19 +67,28 @@ ErrorBasis error_basis(const Surface& surface, int threads) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, threads);
   const FormModes form(surface.heights, pairs, surface.degree, threads);
   if (surface.correlation) return {*surface.correlation, false, pairs, form};
-  const AcfParameters half{.max_lag = default_max_lag(surface.grid), .threads = threads};
+  const AcfParameters half{
+      .max_lag = default_max_lag(surface.grid), .threads = threads, .ranks = surface.ranks};
   return {estimate_autocorrelation(surface.heights, pairs, half), true, pairs, form};
+}
+
+template <class Visit>
+void ErrorBasis::for_each_known(Visit visit) const {
+  const LagField rho = correlation.normalised();
+  if (estimated)
+    for (const WeightedLag& lag : significant(rho, pairs)) visit(lag);
+  else
+    for_each_lag(rho, pairs, [&](Index p, Index q, double weight) { visit({p, q, rho(p, q), weight}); });
 }
 
 FieldExtent ErrorBasis::extent() const {
   double all = 0, along_x = 0, along_y = 0, negative = 0;
-  const LagField rho = known_lags().normalised();
-  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
-    const double square = weight * rho(p, q) * rho(p, q);
+  for_each_known([&](const WeightedLag& lag) {
+    const double square = lag.weight * lag.rho * lag.rho;
     all += square;
-    along_x += square * static_cast<double>(std::abs(p));
-    along_y += square * static_cast<double>(std::abs(q));
-    if (rho(p, q) < 0) negative += square;
+    along_x += square * static_cast<double>(std::abs(lag.p));
+    along_y += square * static_cast<double>(std::abs(lag.q));
+    if (lag.rho < 0) negative += square;
   });
   const auto [nx, ny] = pairs.sides();
   auto lengths = [all](double side, double along) { return side / (0.5 + along / all); };

@@ -39,10 +39,12 @@ struct Surface {
   std::optional<LagField> correlation = {};      ///< known, normalised; none: estimate it
   std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
   std::vector<std::string> doubts = {};          ///< of filters that have not converged
+  const Ranks* ranks = &alone();  ///< that have some rows of the heights each, none of them missing
 };
 
 /// Throws ParameterError("remove-form"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
-/// DataError(variable) where only rounding remains (refuse_round_off).
+/// DataError(variable) where only rounding remains (refuse_round_off). Of several ranks, the form is the
+/// mean, without filters.
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 
 /// The longest lags at which errors, tests and simulated surfaces ask for a known correlation: those of a
@@ -72,6 +74,10 @@ struct ErrorBasis {
   LagField known_lags() const { return estimated ? significant_lags(correlation, pairs) : correlation; }
   /// What the long waves of the field depend on.
   FieldExtent extent() const;
+
+ private:
+  template <class Visit>
+  void for_each_known(Visit visit) const;
 };
 
 /// The known correlation, else the estimate up to half the field.

@@ -3,12 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 
 namespace asperity {
 
-void MomentSums::add(const Eigen::Ref<const Field>& strip) {
+void MomentSums::Sums::operator+=(const Sums& other) {
+  count += other.count;
+  absolute += other.absolute;
+  second += other.second;
+  third += other.third;
+  fourth += other.fourth;
+  highest = std::max(highest, other.highest);
+  lowest = std::min(lowest, other.lowest);
+}
+
+void MomentSums::add(const Eigen::Ref<const Field>& strip, const Ranks& ranks) {
+  std::vector<Sums> rows;
   Eigen::ArrayXd row(strip.cols()), square;
   for (Index i = 0; i < strip.rows(); ++i) {
     row = (strip.row(i).transpose() - mean_.base) - mean_.above;
@@ -18,35 +30,31 @@ void MomentSums::add(const Eigen::Ref<const Field>& strip) {
     const auto d = row.head(there);
     if (d.size() == 0) continue;
     square = d.square();
-    count_ += static_cast<double>(d.size());
-    absolute_ += d.abs().sum();
-    second_ += square.sum();
-    third_ += (square * d).sum();
-    fourth_ += square.square().sum();
-    highest_ = std::max(highest_, d.maxCoeff());
-    lowest_ = std::min(lowest_, d.minCoeff());
+    rows.push_back({static_cast<double>(d.size()), d.abs().sum(), square.sum(), (square * d).sum(),
+                    square.square().sum(), d.maxCoeff(), d.minCoeff()});
   }
+  for (const Sums& of_row : gathered(ranks, rows)) sums_ += of_row;
 }
 
 Moments MomentSums::moments(std::string_view variable) const {
-  const double n = count_, variance = second_ / n, fourth = fourth_ / n;
-  if (highest_ == lowest_ && std::isfinite(highest_))
+  const double n = sums_.count, variance = sums_.second / n, fourth = sums_.fourth / n;
+  if (sums_.highest == sums_.lowest && std::isfinite(sums_.highest))
     throw DataError(std::string(variable), "every value is the same: skewness and kurtosis are undefined");
   if (!(variance * variance >= std::numeric_limits<double>::min() && std::isfinite(fourth)))
     throw DataError(std::string(variable),
                     "a value is infinite, or its fourth power exceeds the range of a double");
   return {.mean = mean_.value(),
-          .sa = absolute_ / n,
+          .sa = sums_.absolute / n,
           .sq = std::sqrt(variance),
-          .ssk = third_ / n / (variance * std::sqrt(variance)),
+          .ssk = sums_.third / n / (variance * std::sqrt(variance)),
           .sku = fourth / (variance * variance),
-          .sp = highest_,
-          .sv = -lowest_};
+          .sp = sums_.highest,
+          .sv = -sums_.lowest};
 }
 
-Moments moments(const Field& z, std::string_view variable) {
-  MomentSums sums(mean_above_base(z));
-  sums.add(z);
+Moments moments(const Field& z, std::string_view variable, const Ranks& ranks) {
+  MomentSums sums(mean_above_base(z, ranks));
+  sums.add(z, ranks);
   return sums.moments(variable);
 }
 

@@ -38,18 +38,25 @@ class MomentSums {
  public:
   /// `mean` is that of the whole field.
   explicit MomentSums(const Mean& mean) : mean_(mean) {}
-  void add(const Eigen::Ref<const Field>& strip);
+  /// Of several ranks, each has some rows of the strip.
+  void add(const Eigen::Ref<const Field>& strip, const Ranks& ranks = alone());
   /// Throws DataError(variable, …) if all heights are the same, or if Sq is below 1e-77 or heights are above
   /// 1e77, whose fourth powers a double cannot hold.
   Moments moments(std::string_view variable) const;
 
  private:
+  struct Sums {
+    double count = 0, absolute = 0, second = 0, third = 0, fourth = 0;
+    double highest = -std::numeric_limits<double>::infinity(),
+           lowest = std::numeric_limits<double>::infinity();
+
+    void operator+=(const Sums& other);
+  };
   Mean mean_;
-  double count_ = 0, absolute_ = 0, second_ = 0, third_ = 0, fourth_ = 0;
-  double highest_ = -std::numeric_limits<double>::infinity(),
-         lowest_ = std::numeric_limits<double>::infinity();
+  Sums sums_ = {};
 };
 
-Moments moments(const Field& z, std::string_view variable = "heights");
+/// Of several ranks, each has some rows of a field without missing heights.
+Moments moments(const Field& z, std::string_view variable = "heights", const Ranks& ranks = alone());
 
 }  // namespace asperity

@@ -58,6 +58,12 @@ std::array<double, 2> Pairs::sides() const {
   return {side(1, nx), side(2, ny)};
 }
 
+double Pairs::weight(Index p, Index q) const {
+  const auto [nx, ny] = grid_.shape;
+  return (p > 0 ? 2 : 1) * pair_fraction(p, q) * times_met(p, nx, grid_.periodic.both()) *
+         times_met(q, ny, grid_.periodic.both());
+}
+
 double Pairs::density(Index p, Index q) const {
   if (complete()) return 1;
   const double most = overlap(grid_, p, q);
@@ -84,16 +90,12 @@ LagField tapered(const LagField& rho, const Pairs& pairs) {
 
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit) {
-  const Grid& grid = pairs.grid();
-  const auto [nx, ny] = grid.shape;
-  const Shape longest = longest_lags(grid);
-  const Index P = std::min(lags.max_p(), longest.nx), Q = std::min(lags.max_q(), longest.ny);
-  for (Index p = 0; p <= P; ++p)
+  const Shape longest = longest_lags(pairs.grid());
+  const Extent own = lags.rows().own();
+  const Index end = std::min(own.end(), longest.nx + 1), Q = std::min(lags.max_q(), longest.ny);
+  for (Index p = own.first; p < end; ++p)
     for (Index q = -Q; q <= Q; ++q)
-      if (const double fraction = pairs.pair_fraction(p, q); fraction > 0)
-        visit(p, q,
-              (p > 0 ? 2 : 1) * fraction * times_met(p, nx, grid.periodic.both()) *
-                  times_met(q, ny, grid.periodic.both()));
+      if (const double weight = pairs.weight(p, q); weight > 0) visit(p, q, weight);
 }
 
 }  // namespace asperity

@@ -35,6 +35,8 @@ class Pairs {
   std::array<double, 2> sides() const;
   /// n(p,q)/n(0,0); for a complete field its overlap with itself at the lag.
   double pair_fraction(Index p, Index q) const;
+  /// What for_each_lag weighs a lag of the half-plane with.
+  double weight(Index p, Index q) const;
   /// n(p,q) / (n(0,0) overlap(p,q)): 1 if pairs end only at the edges of the field.
   double density(Index p, Index q) const;
 
@@ -58,7 +60,7 @@ LagField tapered(const LagField& rho, const Pairs& pairs);
 
 /// Calls visit(p, q, weight) for the lags of the half-plane that have pairs. Σ weight f(p,q) is the average
 /// over the field's points of Σ f over all their partners: the weight is pair_fraction(p,q), doubled for the
-/// lags (-p,-q), and halved at half a period, where p and -p coincide.
+/// lags (-p,-q), and halved at half a period, where p and -p coincide. Of several ranks each visits its lags.
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit);
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "core/large_field.hpp"
+#include "core/parallel.hpp"
 #include "stats/filter/missing.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/spatial/pairs.hpp"
@@ -30,16 +32,32 @@ double sum_over(const Field& d, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y
   return out;
 }
 
-// Eight columns l of the transform to the columns ±l of the half-plane.
-void store(const PrunedTransform& transform, Index b, const Complex* block, double scale, Field& out) {
-  const Index nx = transform.torus().nx, middle = out.cols() / 2, first = b * PrunedTransform::width;
-  const Index columns = std::min(PrunedTransform::width, transform.columns() - first);
-  for (Index p = 0; p < out.rows(); ++p)
-    for (Index c = 0; c < columns; ++c) {
-      const Complex* column = block + c * transform.stride();
-      out(p, middle - first - c) = scale * std::norm(column[(nx - p) % nx]);
-      out(p, middle + first + c) = scale * std::norm(column[p]);
-    }
+// The power of eight columns at ±l, l ≥ 0, in row p: as a complex number in place of that at l.
+void to_powers(const PrunedTransform& transform, Complex* block, double scale) {
+  const Index nx = transform.torus().nx;
+  for (Index c = 0; c < PrunedTransform::width; ++c) {
+    Complex* column = block + c * transform.stride();
+    for (Index p = 0; p <= nx / 2; ++p)
+      column[p] = {scale * std::norm(column[p]), scale * std::norm(column[(nx - p) % nx])};
+  }
+}
+
+// The rows of the half-plane that a rank has the powers of.
+Field rows_of_powers(const PrunedTransform& transform, std::span<const Complex> powers, int threads) {
+  constexpr Index width = PrunedTransform::width;
+  const auto [nx, ny] = transform.field();
+  const Extent own = transform.slabs().own();
+  const Index middle = ny / 2;
+  Field out = large_field({std::clamp(nx / 2 + 1 - own.first, Index{0}, own.count), 2 * middle + 1});
+  parallel_ranges(out.rows(), threads, [&](Index begin, Index end, int) {
+    for (Index p = begin; p < end; ++p)
+      for (Index l = middle; l >= 0; --l) {
+        const Complex both = powers[size((l / width * own.count + p) * width + l % width)];
+        out(p, middle - l) = both.imag();
+        out(p, middle + l) = both.real();
+      }
+  });
+  return out;
 }
 
 // Wave numbers lie on the bounds of rings and sectors, whatever the unit of length.
@@ -114,26 +132,30 @@ Interval SpectrumPoint::interval(double level) const {
                       density / chi_squared_share(1 - tail, degrees) * std::exp(std::max(-bias, 0.0)));
 }
 
-LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads) {
+LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads,
+                        const Ranks& ranks) {
   const Index nx = grid.shape.nx, ny = grid.shape.ny;
   const Eigen::ArrayXd wx = window_of(windows.x, nx), wy = window_of(windows.y, ny);
-  const PrunedTransform transform(grid.shape, grid.shape);
+  const PrunedTransform transform(grid.shape, grid.shape, Ways::forward_only, ranks);
+  const Index first = transform.slabs().own().first;
   HalfSpectrum half = transform.half_spectrum();
   const bool complete = !has_missing(d);
   const double mean_square =
       complete ? 1 : sum_over(d, wx.square(), wy.square()) / static_cast<double>(d.size());
   const RowSource windowed = [&](Index i, double* row) {
     Eigen::Map<Eigen::Array<double, 1, Eigen::Dynamic>> out(row, ny);
-    out = d.row(i) * wx(i) * wy.transpose();
+    out = d.row(i) * wx(first + i) * wy.transpose();
     if (!complete) out = out.isNaN().select(0.0, out);
   };
   transform.forward_each_row(windowed, half, threads);
 
-  Field out = large_field({nx / 2 + 1, 2 * (ny / 2) + 1});
   const double scale = grid.cell_area() / (static_cast<double>(grid.shape.cells()) * mean_square);
-  transform.each_block(half, threads,
-                       [&](Index b, const Complex* block) { store(transform, b, block, scale, out); });
-  return LagField(std::move(out));
+  transform.change_each_block(half, threads,
+                              [&](Index, Complex* block) { to_powers(transform, block, scale); });
+  const Slabs rows(nx / 2 + 1, ranks);
+  Field out = rows_of_powers(transform, half, threads);
+  half = {};
+  return {dealt_again(std::move(out), transform.slabs(), rows), rows};
 }
 
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,

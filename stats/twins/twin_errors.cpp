@@ -227,16 +227,21 @@ void TwinErrors::apply(Parameters& parameters, const std::function<bool(const Pa
 namespace {
 
 // In seconds of one core, about, so that the answer does not depend on the machine.
-double seconds_of_twins(const Sample& sample, const MeasureOptions& asked) {
+double seconds_of_twins(const Grid& grid, const MeasureOptions& asked) {
   double seconds = 0;  // for 512x512 points
   for (const Group group : asked.groups)
     seconds += group == Group::gaussianity                           ? 0
                : group == Group::height || group == Group::quantiles ? 0.8
                                                                      : 2.4;
-  return seconds * static_cast<double>(sample.grid().shape.cells()) / (512 * 512);
+  return seconds * static_cast<double>(grid.shape.cells()) / (512 * 512);
 }
 
 }  // namespace
+
+bool twins_are_quick(const Grid& grid, const MeasureOptions& asked) {
+  constexpr double quick = 2.5;
+  return seconds_of_twins(grid, asked) <= quick;
+}
 
 bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use,
                      const TwinOptions& options, Parameters& parameters) {
@@ -245,8 +250,7 @@ bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse 
     return scope.holds(p) && (use == TwinUse::everywhere || !scope.needs_none(p));
   };
   if (!sample.size().gives_errors() || std::ranges::none_of(parameters, wanted)) return true;
-  constexpr double quick = 2.5;
-  if (use == TwinUse::where_quick && seconds_of_twins(sample, asked) > quick) return false;
+  if (use == TwinUse::where_quick && !twins_are_quick(sample.grid(), asked)) return false;
   TwinErrors(sample, asked, options).apply(parameters, wanted);
   return true;
 }

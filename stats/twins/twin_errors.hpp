@@ -81,8 +81,11 @@ class TwinErrors {
 /// All parameters that twins have, or those that need them.
 enum class TwinUse { everywhere, where_needed, where_quick };
 
-/// Sets errors and intervals by twins; `where_quick` only if they take about two seconds on one core
-/// (512x512 points for one group of parameters, 256x256 for all), else it returns false.
+/// Whether twins take about two seconds on one core: 512x512 points for one group of parameters, 256x256 for
+/// all.
+bool twins_are_quick(const Grid& grid, const MeasureOptions& asked);
+
+/// Sets errors and intervals by twins; `where_quick` only if they are, else it returns false.
 bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse use,
                      const TwinOptions& options, Parameters& parameters);
 

@@ -26,15 +26,16 @@ Field cube_of(const LagField& rho, Shape torus) {
 CorrelationAlgebra::CorrelationAlgebra(const LagField& correlation, const Pairs& pairs)
     : rho_(correlation.normalised()), pairs_(pairs) {}
 
-std::array<double, CorrelationAlgebra::powers + 1> CorrelationAlgebra::power_sums() const {
-  std::array<double, powers + 1> sums{};
-  for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) {
-    const double value = rho_(p, q);
-    double power = weight;
-    for (std::size_t k = 1; k < sums.size() && std::abs(power) > 1e-18; ++k) sums[k] += power *= value;
-  });
-  for (double& s : sums) s = std::max(s, 0.0);
-  return sums;
+PowerSums::Sums PowerSums::sums() const {
+  Sums out = sums_;
+  for (double& s : out) s = std::max(s, 0.0);
+  return out;
+}
+
+PowerSums::Sums CorrelationAlgebra::power_sums() const {
+  PowerSums out;
+  for_each_lag(rho_, pairs_, [&](Index p, Index q, double weight) { out.add(weight, rho_(p, q)); });
+  return out.sums();
 }
 
 // Over the plane the c of a ρ that ends at P is zero beyond 2P.

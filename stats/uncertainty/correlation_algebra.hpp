@@ -23,6 +23,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/field.hpp"
@@ -37,16 +38,31 @@ struct CorrelatedLag {
   double rho;
 };
 
-class CorrelationAlgebra {
+/// The sums (1) from one lag after the other.
+class PowerSums {
  public:
   static constexpr int powers = 512;
+  using Sums = std::array<double, powers + 1>;
 
+  /// `weight` as for_each_lag gives it.
+  void add(double weight, double rho) {
+    double power = weight;
+    for (std::size_t k = 1; k < sums_.size() && std::abs(power) > 1e-18; ++k) sums_[k] += power *= rho;
+  }
+  /// S_k, 1 ≤ k ≤ powers; a sum that is negative by noise is set to zero.
+  Sums sums() const;
+
+ private:
+  Sums sums_ = {};
+};
+
+class CorrelationAlgebra {
+ public:
   /// The correlation need not be normalised. Throws DataError("acf", …) if R(0,0) is not positive.
   CorrelationAlgebra(const LagField& correlation, const Pairs& pairs);
 
   const LagField& rho() const { return rho_; }
-  /// S_k of (1), 1 ≤ k ≤ powers; a sum that is negative by noise is set to zero.
-  std::array<double, powers + 1> power_sums() const;
+  PowerSums::Sums power_sums() const;
   /// c of the tapered ρ at the lags up to max_lag, over the period or over the plane.
   LagField convolution(Shape max_lag, bool periodic) const;
   /// K at each lag, for the tapered ρ.

@@ -1,7 +1,10 @@
 #include "stats/uncertainty/effective_size.hpp"
 
 #include <numbers>
+#include <utility>
 #include <vector>
+
+#include "core/ranks.hpp"
 
 namespace asperity {
 namespace {
@@ -14,32 +17,77 @@ constexpr double lost_of_first = 15, lost_of_second = 10;
 // took cannot be told (form_modes.hpp).
 constexpr double most_taken = 0.5, most_modes = 1.0 / 3;
 
-// A lag of an estimate: weight as for_each_lag gives it, z_score = |ρ| √pairs/√N, of a noise of S_2 = 1.
-struct Candidate {
-  Index p, q;
-  double rho, weight, z_score;
+// z = |ρ| √pairs/√N, of a noise of S_2 = 1. Lag zero comes first, also before lags of a periodic field that
+// are as certain.
+double score(const WeightedLag& lag, const Pairs& pairs) {
+  const bool zero = lag.p == 0 && lag.q == 0;
+  return zero ? std::numeric_limits<double>::infinity()
+              : std::abs(lag.rho) * std::sqrt(pairs.pair_fraction(lag.p, lag.q));
+}
+
+// As for_each_lag, of lags with their score.
+template <class Visit>
+void for_each_score(const LagField& rho, const Pairs& pairs, Visit visit) {
+  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
+    const WeightedLag lag{p, q, rho(p, q), weight};
+    visit(lag, score(lag, pairs));
+  });
+}
+
+// Up to this z no lag is admitted: z² = 9/N 2^k, where the lags above it have an S_2 of 2^k or more.
+double least_score(const LagField& rho, const Pairs& pairs) {
+  constexpr int octaves = 64;
+  const double n = pairs.points();
+  std::vector<double> squares(octaves);  // of the lags of an octave of z²
+  for_each_score(rho, pairs, [&](const WeightedLag& lag, double z) {
+    const int octave = std::min(std::ilogb(z * z * n / 9), octaves - 1);
+    if (octave >= 0) squares[static_cast<std::size_t>(octave)] += lag.weight * lag.rho * lag.rho;
+  });
+  const std::vector<double> all = gathered(rho.rows().ranks(), squares);
+  double above = 0;
+  for (int k = octaves - 1; k > 0; --k) {
+    for (auto of_rank = static_cast<std::size_t>(k); of_rank < all.size(); of_rank += octaves)
+      above += all[of_rank];
+    if (constexpr double with_round_off = 1 + 1e-6; std::ldexp(with_round_off, k) <= above)
+      return 3 * std::sqrt(std::ldexp(1, k) / n);
+  }
+  return 3 / std::sqrt(n);
+}
+
+constexpr auto in_order = [](const WeightedLag& a, const WeightedLag& b) {
+  return std::pair(a.p, a.q) < std::pair(b.p, b.q);
 };
 
-constexpr auto weaker = [](const Candidate& a, const Candidate& b) { return a.z_score < b.z_score; };
-
-// The lags that may be admitted, as a heap: S_2 ≥ 1 bounds what is asked of them from below. Lag zero comes
-// first, also before lags of a periodic field that are as certain.
-std::vector<Candidate> candidates(const LagField& rho, const Pairs& pairs) {
-  const double least = 3 / std::sqrt(pairs.points());
-  std::vector<Candidate> lags;
-  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
-    const double value = rho(p, q);
-    const bool zero = p == 0 && q == 0;
-    const double z_score = zero ? std::numeric_limits<double>::infinity()
-                                : std::abs(value) * std::sqrt(pairs.pair_fraction(p, q));
-    if (z_score > least) lags.push_back({p, q, value, weight, z_score});
-  });
-  std::ranges::make_heap(lags, weaker);
-  return lags;
+// The lags h such that h or h/2 is admitted, in order.
+std::vector<WeightedLag> tail_of(const LagField& rho, const Pairs& pairs,
+                                 const std::vector<WeightedLag>& admitted) {
+  const Shape longest = longest_lags(pairs.grid());
+  const Extent own = rho.rows().own();
+  std::vector<WeightedLag> out;
+  auto add = [&](Index p, Index q) {
+    const bool held = p >= own.first && p < own.end() && p <= longest.nx &&
+                      std::abs(q) <= std::min(rho.max_q(), longest.ny);
+    if (held) out.push_back({p, q});
+  };
+  for (const auto& [p, q, value, weight] : admitted) {
+    add(p, q);
+    for (const Index twice : {2 * p, 2 * p + 1}) {
+      if (q >= 0) add(twice, 2 * q), add(twice, 2 * q + 1);
+      if (q <= 0) add(twice, 2 * q - 1);
+      if (q < 0) add(twice, 2 * q);
+    }
+  }
+  std::ranges::sort(out, in_order);
+  const auto same = [](const WeightedLag& a, const WeightedLag& b) { return a.p == b.p && a.q == b.q; };
+  out.erase(std::unique(out.begin(), out.end(), same), out.end());
+  for (WeightedLag& lag : out) lag.rho = rho(lag.p, lag.q), lag.weight = pairs.weight(lag.p, lag.q);
+  std::erase_if(out, [](const WeightedLag& lag) { return !(lag.weight > 0); });
+  return gathered(rho.rows().ranks(), out);
 }
 
 // ρ_0; a lag without pairs is NaN.
-double without_noise(const LagField& correlation) {
+double without_noise(const LagField& all) {
+  const LagField correlation = all.within({2, 2});
   auto at = [&](Index p, Index q) {
     const bool held = p <= correlation.max_p() && q <= correlation.max_q();
     return held ? correlation(p, q) / correlation(0, 0) : 0;
@@ -71,38 +119,31 @@ EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pair
 
 EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, const Pairs& pairs,
                                                      const FormModes& form) {
-  const LagField rho = estimate.normalised(), admitted = significant_lags(rho, pairs);
-  const auto [p_end, q_end] = admitted.reach();
-  const LagField tail = rho.within({2 * p_end + 1, 2 * q_end + 1});
-  auto for_each = [&](auto visit) {
-    for_each_lag(tail, pairs, [&](Index p, Index q, double weight) {
-      const bool held = p <= admitted.max_p() && std::abs(q) <= admitted.max_q();
-      if (admitted(p / 2, q / 2) != 0 || (held && admitted(p, q) != 0)) visit(p, q, weight);
-    });
-  };
+  const LagField rho = estimate.normalised();
+  const std::vector<WeightedLag> admitted = significant(rho, pairs), tail = tail_of(rho, pairs, admitted);
   const double n = pairs.points();
-  const LagField modes = form.correlation(rho.max_lag());
   double of_modes = 0, kept = 0, weights = 0, lags = 0, sum = 0, squares = 0;
-  for_each([&](Index p, Index q, double weight) {
-    const double b = modes(p, q), of_mode = weight * b;
-    of_modes += of_mode * tail(p, q);
+  for (const auto& [p, q, value, weight] : tail) {
+    const double b = form(p, q), of_mode = weight * b;
+    of_modes += of_mode * value;
     kept += of_mode * b;
     weights += of_mode;
-    sum += weight * tail(p, q);
+    sum += weight * value;
     if (p != 0 || q != 0) lags += weight / pairs.pair_fraction(p, q);
-  });
+  }
   const double m = form.count() / n;
   const double taken = std::max(0.0, m * of_modes / (1 - std::min(m * kept, 0.5)));
   const double s1 = std::max(0.0, sum + taken * std::min(weights, n / 2));
   EffectiveSampleSize size(pairs, form, taken);
   size.correlated_ = without_noise(rho);
-  const LagField freed = size.freed(rho);
-  for_each([&](Index p, Index q, double weight) { squares += weight * std::pow(freed(p, q), 2); });
+  for (const WeightedLag& lag : tail) squares += lag.weight * std::pow(size.freed(lag), 2);
   const double s2 = std::max(1.0, squares / (1 + lags / n));
   // Of few pairs, an estimate exceeds 1, and its powers all bounds.
-  const Field bounded = freed.half_plane().min(1).max(-1);
-  const LagField known((admitted.half_plane() != 0).select(bounded, 0));
-  size.sums_ = CorrelationAlgebra(known, pairs).power_sums();
+  auto bounded = [&](const WeightedLag& lag) { return std::clamp(size.freed(lag), -1.0, 1.0); };
+  PowerSums known;
+  const double at_zero = bounded({.rho = 1});
+  for (const WeightedLag& lag : admitted) known.add(lag.weight, bounded(lag) / at_zero);
+  size.sums_ = known.sums();
   size.sums_[1] = s1 * (1 + lost_of_first * (s2 / n));
   size.sums_[2] = s2 * (1 + lost_of_second * (s2 / n));
   size.taken_ = std::min(taken * (1 + lost_of_first * (s2 / n)), most_taken);
@@ -113,8 +154,12 @@ EffectiveSampleSize EffectiveSampleSize::of_estimate(const LagField& estimate, c
 }
 
 LagField EffectiveSampleSize::freed(const LagField& rho) const {
+  return LagField::of(rho.max_lag(), [&](Index p, Index q) { return freed({p, q, rho(p, q)}); });
+}
+
+double EffectiveSampleSize::freed(const WeightedLag& lag) const {
   const double b = taken_ / (1 - taken_);
-  return LagField((rho.half_plane() + b * form_.correlation(rho.max_lag()).half_plane()) / (1 + b));
+  return (lag.rho + b * form_(lag.p, lag.q)) / (1 + b);
 }
 
 double EffectiveSampleSize::variance_of_mean(const std::function<double(int)>& weight, double total) const {
@@ -127,20 +172,30 @@ double EffectiveSampleSize::variance_of_mean(const std::function<double(int)>& w
   return (variance + std::max(rest, 0.0) * sum(powers)) / points_;
 }
 
+std::vector<WeightedLag> significant(const LagField& rho, const Pairs& pairs) {
+  const double least = least_score(rho, pairs), n = pairs.points();
+  std::vector<WeightedLag> lags;
+  for_each_score(rho, pairs, [&](const WeightedLag& lag, double z) {
+    if (z > least) lags.push_back(lag);
+  });
+  lags = gathered(rho.rows().ranks(), lags);
+  std::ranges::stable_sort(lags, std::greater(), [&](const WeightedLag& lag) { return score(lag, pairs); });
+  double sum_of_squares = 0;
+  auto end = lags.begin();
+  for (; end != lags.end() && score(*end, pairs) > 3 * std::sqrt(sum_of_squares / n); ++end)
+    sum_of_squares += end->weight * end->rho * end->rho;
+  lags.erase(end, lags.end());
+  std::ranges::sort(lags, in_order);
+  return lags;
+}
+
 LagField significant_lags(const LagField& estimate, const Pairs& pairs) {
   const LagField rho = estimate.normalised();
-  const double n = pairs.points();
-  Field admitted = Field::Zero(rho.max_p() + 1, 2 * rho.max_q() + 1);
-  double sum_of_squares = 0;
-  std::vector<Candidate> heap = candidates(rho, pairs);
-  for (; !heap.empty(); heap.pop_back()) {
-    std::ranges::pop_heap(heap, weaker);
-    const Candidate& lag = heap.back();
-    if (lag.z_score <= 3 * std::sqrt(sum_of_squares / n)) break;
-    sum_of_squares += lag.weight * lag.rho * lag.rho;
-    admitted(lag.p, rho.max_q() + lag.q) = lag.rho;
-  }
-  return LagField(std::move(admitted));
+  const Extent own = rho.rows().own();
+  Field admitted = Field::Zero(own.count, 2 * rho.max_q() + 1);
+  for (const auto& [p, q, value, weight] : significant(rho, pairs))
+    if (p >= own.first && p < own.end()) admitted(p - own.first, rho.max_q() + q) = value;
+  return {std::move(admitted), rho.rows()};
 }
 
 MomentErrors standard_errors(const Moments& moments, const EffectiveSampleSize& size) {

@@ -51,10 +51,14 @@ void for_each_mode(const AxisProducts& products, const Eigen::MatrixXd& gram, co
 FormModes::FormModes(const Grid& grid, int degree) : degree_(degree) {
   if (degree == 0) return;
   along_x_ = autocorrelations(grid.shape.nx, grid.periodic.both(), degree);
-  along_y_ = autocorrelations(grid.shape.ny, grid.periodic.both(), degree);
+  const Eigen::MatrixXd of_y = autocorrelations(grid.shape.ny, grid.periodic.both(), degree);
+  along_y_.resize(of_y.rows(), along_x_.cols());
   count_ = 0;
-  for (Index a = 0; a < along_x_.cols(); ++a)
-    count_ += static_cast<double>(std::min<Index>(degree - a + 1, along_y_.cols()));
+  for (Index a = 0; a < along_x_.cols(); ++a) {
+    const Index terms = std::min<Index>(degree - a + 1, of_y.cols());
+    along_y_.col(a) = of_y.leftCols(terms).rowwise().sum();
+    count_ += static_cast<double>(terms);
+  }
 }
 
 FormModes::FormModes(const Field& z, const Pairs& pairs, int degree, int threads)
@@ -84,20 +88,12 @@ void FormModes::add(StripAutocorrelation& modes, const FormFit& form, const Fiel
                 [&](const Field& mode) { modes.add(strip.isNaN().select(strip, mode)); });
 }
 
-LagField FormModes::correlation(Shape max_lag) const {
-  if (of_points_)
-    return LagField::of(max_lag, [this](Index p, Index q) {
-      const double b = (*of_points_)(p, q);
-      return std::isnan(b) ? 0 : b;
-    });
-  if (degree_ == 0) return LagField(Field::Ones(max_lag.nx + 1, 2 * max_lag.ny + 1));
-  Eigen::MatrixXd of_y(along_x_.cols(), 2 * max_lag.ny + 1);  // Σ_b α_b over b ≤ d - a, a row an a
-  for (Index a = 0; a < of_y.rows(); ++a) {
-    const Index terms = std::min<Index>(degree_ - a + 1, along_y_.cols());
-    for (Index q = 0; q <= max_lag.ny; ++q)
-      of_y(a, max_lag.ny + q) = of_y(a, max_lag.ny - q) = along_y_.row(q).head(terms).sum();
+double FormModes::operator()(Index p, Index q) const {
+  if (of_points_) {
+    const double b = (*of_points_)(p, q);
+    return std::isnan(b) ? 0 : b;
   }
-  return LagField((along_x_.topRows(max_lag.nx + 1) * of_y / count_).array());
+  return degree_ == 0 ? 1 : along_x_.row(p).dot(along_y_.row(std::abs(q))) / count_;
 }
 
 }  // namespace asperity

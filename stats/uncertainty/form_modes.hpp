@@ -63,13 +63,16 @@ class FormModes {
 
   int degree() const { return degree_; }
   double count() const { return count_; }  ///< M
-  /// B at the lags up to max_lag, at most the field less one point.
-  LagField correlation(Shape max_lag) const;
+  /// B at a lag, p ≥ 0, that is shorter than the field.
+  double operator()(Index p, Index q) const;
+  /// B at the lags up to max_lag.
+  LagField correlation(Shape max_lag) const { return LagField::of(max_lag, *this); }
 
  private:
   int degree_ = 0;
   double count_ = 1;
-  Eigen::MatrixXd along_x_ = {}, along_y_ = {};     ///< α, a column a degree, a row a lag
+  Eigen::MatrixXd along_x_ = {};                    ///< α_a, a row a lag
+  Eigen::MatrixXd along_y_ = {};                    ///< Σ_b α_b over b ≤ d - a, likewise
   std::shared_ptr<const LagField> of_points_ = {};  ///< B, where heights are missing
 };
 

@@ -6,39 +6,13 @@
 #include <utility>
 
 #include "core/parallel.hpp"
-#include "stats/filter/missing.hpp"
-#include "stats/spatial/rectangle_sums.hpp"
-#include "transform/plan.hpp"
+#include "stats/uncertainty/pair_blocks.hpp"
 
 namespace asperity {
 namespace {
 
 // Of a wave over the pairs at a lag. At lags of half a complete field it is 0.19.
 constexpr double least_variance = 0.05;
-
-// Sums over the pairs whose first point lies in a block, at lags of the whole plane: row P + p, column Q + q.
-struct PairSums {
-  Field products, squares, pairs;
-
-  void add(PairSums&& other) {
-    if (products.size() == 0) return void(*this = std::move(other));
-    products += other.products, squares += other.squares, pairs += other.pairs;
-  }
-};
-
-// Points first ≤ i < last along an axis.
-struct Range {
-  Index first, last;
-
-  Index length() const { return last - first; }
-};
-
-// First points x.first ≤ i < x.last whose partners a lag apart lie in the field; from x.first on.
-Range partnered(Range x, Index lag, Index n, bool periodic) {
-  if (periodic) return {0, x.length()};
-  const Index first = std::clamp(-lag - x.first, Index{0}, x.length());
-  return {first, std::max(first, std::clamp(n - lag - x.first, Index{0}, x.length()))};
-}
 
 // Blocks of n points that the mirror image shares: an odd number of an odd number.
 Index mirrored_blocks(Index half_waves, Index n) {
@@ -54,155 +28,8 @@ Field folded(const Field& plane) {
 
 }  // namespace
 
-class LagWaves::Blocks {
- public:
-  Blocks(const Field& d, const Grid& grid, Shape max_lag, Index along_x, Index along_y)
-      : grid_(grid),
-        max_lag_(max_lag),
-        along_x_(along_x),
-        along_y_(along_y),
-        complete_(!d.isNaN().any()),
-        filled_(complete_ ? Field() : zero_filled(d)),
-        valid_(complete_ ? Field() : validity(d)),
-        heights_(complete_ ? d : filled_),
-        piece_{piece(largest(along_x, grid.shape.nx), max_lag.nx),
-               piece(largest(along_y, grid.shape.ny), max_lag.ny)},
-        torus_{fast_length(piece_.nx + 2 * max_lag.nx), fast_length(piece_.ny + 2 * max_lag.ny)},
-        transform_(torus_) {}
-
-  bool complete() const { return complete_; }
-  // The waves at the middles of a block's pairs, a row a lag.
-  AxisProducts waves(Index b, const std::vector<LongWaves::Wave>& all) const {
-    auto along = [](Range block, Index n, bool periodic, Index most) {
-      const double middle = 0.5 * static_cast<double>(block.first + block.last),
-                   half = 0.5 * static_cast<double>(most);
-      const Eigen::ArrayXd at = Eigen::ArrayXd::LinSpaced(2 * most + 1, middle - half, middle + half);
-      return axis_waves(std::numbers::pi / static_cast<double>(n) * at, periodic, AxisWaves::most);
-    };
-    const auto [nx, ny] = grid_.shape;
-    return {along(block(x_of(b), along_x_, nx), nx, grid_.periodic.x, max_lag_.nx),
-            along(block(y_of(b), along_y_, ny), ny, grid_.periodic.y, max_lag_.ny), all};
-  }
-  Index count() const { return along_x_ * along_y_; }
-  // Of the blocks of a row of them.
-  Eigen::VectorXd points(Index row) const {
-    const Range x = block(row, along_x_, grid_.shape.nx);
-    Eigen::VectorXd out(along_y_);
-    for (Index b = 0; b < along_y_; ++b) {
-      const Range y = block(b, along_y_, grid_.shape.ny);
-      out(b) = valid_.block(x.first, y.first, x.length(), y.length()).sum();
-    }
-    return out;
-  }
-  Index x_of(Index b) const { return b / along_y_; }
-  Index y_of(Index b) const { return b % along_y_; }
-
-  PairSums sums(Index b) const {
-    const Range x = block(x_of(b), along_x_, grid_.shape.nx), y = block(y_of(b), along_y_, grid_.shape.ny);
-    PairSums out;
-    for (Index i = x.first; i < x.last; i += piece_.nx)
-      for (Index j = y.first; j < y.last; j += piece_.ny)
-        out.add(sums({i, std::min(i + piece_.nx, x.last)}, {j, std::min(j + piece_.ny, y.last)}));
-    return out;
-  }
-
- private:
-  PairSums sums(Range x, Range y) const {
-    const Field far = surroundings(heights_, x, y);
-    PairSums out;
-    const Spectrum of_heights(*this, far, x, y);
-    out.products = correlated(of_heights, of_heights);
-    if (complete_) {
-      squares_of_rectangles(far, x, y, out);
-    } else {
-      const Spectrum of_squares(*this, far.square(), x, y), of_valid(*this, surroundings(valid_, x, y), x, y);
-      out.squares = 0.5 * (correlated(of_squares, of_valid) + correlated(of_valid, of_squares));
-      out.pairs = correlated(of_valid, of_valid).round();
-    }
-    return out;
-  }
-
-  // Transforms of a piece and of its surroundings.
-  struct Spectrum {
-    AlignedVector<Complex> near, far;
-
-    Spectrum(const Blocks& blocks, const Field& surroundings, Range x, Range y)
-        : near(blocks.transformed(
-              surroundings.block(blocks.max_lag_.nx, blocks.max_lag_.ny, x.length(), y.length()))),
-          far(blocks.transformed(surroundings)) {}
-  };
-
-  static Range block(Index b, Index blocks, Index n) {
-    auto end = [&](Index k) { return 2 * k <= blocks ? k * n / blocks : n - (blocks - k) * n / blocks; };
-    return {end(b), end(b + 1)};
-  }
-  // Points of the largest block: one in the middle takes what both halves round off.
-  static Index largest(Index blocks, Index n) {
-    Index out = 0;
-    for (Index b = 0; b < blocks; ++b) out = std::max(out, block(b, blocks, n).length());
-    return out;
-  }
-
-  // Much longer than the lags: less memory, where these are short.
-  static Index piece(Index points, Index lag) { return std::min(points, std::max<Index>(64, 16 * lag)); }
-
-  // Of a piece and all partners of its points; zero beyond the field.
-  Field surroundings(const Field& f, Range x, Range y) const {
-    const auto [nx, ny] = grid_.shape;
-    auto inside = [](Index i, Index n, bool periodic) { return periodic ? ((i % n) + n) % n : i; };
-    const auto [p, q] = max_lag_;
-    return Field::NullaryExpr(x.length() + 2 * p, y.length() + 2 * q, [&, p = p, q = q](Index i, Index j) {
-      const Index row = inside(x.first + i - p, nx, grid_.periodic.x),
-                  column = inside(y.first + j - q, ny, grid_.periodic.y);
-      return row >= 0 && row < nx && column >= 0 && column < ny ? f(row, column) : 0.0;
-    });
-  }
-  AlignedVector<Complex> transformed(const Field& f) const {
-    AlignedVector<double> padded(static_cast<std::size_t>(torus_.cells()), 0.0);
-    Eigen::Map<Field>(padded.data(), torus_.nx, torus_.ny).topLeftCorner(f.rows(), f.cols()) = f;
-    AlignedVector<Complex> out(static_cast<std::size_t>(transform_.spectrum_size()));
-    transform_.forward(padded.data(), out.data());
-    return out;
-  }
-  // Σ f(i,j) g(i+p, j+q), f of the block.
-  Field correlated(const Spectrum& f, const Spectrum& g) const {
-    AlignedVector<Complex> product(f.near.size());
-    for (std::size_t k = 0; k < product.size(); ++k) product[k] = std::conj(f.near[k]) * g.far[k];
-    AlignedVector<double> out(static_cast<std::size_t>(torus_.cells()));
-    transform_.inverse(product.data(), out.data());
-    return Eigen::Map<const Field>(out.data(), torus_.nx, torus_.ny)
-               .topLeftCorner(2 * max_lag_.nx + 1, 2 * max_lag_.ny + 1) /
-           static_cast<double>(torus_.cells());
-  }
-  // Pairs and squares of a complete field.
-  void squares_of_rectangles(const Field& far, Range x, Range y, PairSums& out) const {
-    const auto [nx, ny] = grid_.shape;
-    const auto [P, Q] = max_lag_;
-    const RectangleSums squares(far.square());
-    out.pairs = out.squares = Field::Zero(2 * P + 1, 2 * Q + 1);
-    for (Index p = -P; p <= P; ++p)
-      for (Index q = -Q; q <= Q; ++q) {
-        const Range i = partnered(x, p, nx, grid_.periodic.x), j = partnered(y, q, ny, grid_.periodic.y);
-        const Index rows = i.length(), columns = j.length(), row = P + i.first, column = Q + j.first;
-        out.pairs(P + p, Q + q) = static_cast<double>(rows * columns);
-        if (rows * columns == 0) continue;
-        out.squares(P + p, Q + q) =
-            0.5 * (squares(row, column, rows, columns) + squares(row + p, column + q, rows, columns));
-      }
-  }
-
-  Grid grid_;
-  Shape max_lag_;
-  Index along_x_, along_y_;
-  bool complete_;
-  Field filled_, valid_;
-  const Field& heights_;
-  Shape piece_, torus_;
-  RealTransform2D transform_;
-};
-
 LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads,
-                   Number number)
+                   Number number, const Ranks& ranks)
     : long_waves_(grid, extent,
                   number == Number::few ? LongWaves::Range{5, 5} : LongWaves::Range{.least = 5}),
       patches_(extent.patches) {
@@ -213,16 +40,15 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
   }
   const auto [nx, ny] = grid.shape;
   const Index along_x = mirrored_blocks(most_x, nx), along_y = mirrored_blocks(most_y, ny);
-  const Blocks blocks(d, grid, max_lag, along_x, along_y);
+  PairBlocks blocks(d, grid, max_lag, along_x, along_y, ranks);
   const Eigen::MatrixXd waves = directions(blocks, {{along_x, along_y}, 1, 1, grid.periodic});
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
   waves_.assign(static_cast<std::size_t>(waves.rows()) + 1, {none, none, none, none});
-  for (Index first = 0; first < blocks.count(); first += threads) {
-    const Index count = std::min<Index>(threads, blocks.count() - first);
-    std::vector<PairSums> sums(static_cast<std::size_t>(count));
-    parallel_ranges(count, threads, [&](Index begin, Index end, int) {
-      for (Index b = begin; b < end; ++b) sums[static_cast<std::size_t>(b)] = blocks.sums(first + b);
-    });
+  const auto each = static_cast<Index>(largest(ranks, threads));
+  for (Index first = 0; first < blocks.count(); first += each * ranks.count()) {
+    const std::vector<PairSums> sums =
+        gathered(ranks, blocks.sums({first + each * ranks.rank(), each}, threads), max_lag);
+    const Index count = std::min(std::ssize(sums), blocks.count() - first);
     parallel_ranges(static_cast<Index>(waves_.size()), threads, [&](Index begin, Index end, int) {
       for (Index k = begin; k < end; ++k) {
         Wave& wave = waves_[static_cast<std::size_t>(k)];
@@ -249,7 +75,7 @@ void LagWaves::Wave::add(const Field& u, const Field& of_products, const Field& 
   weights += folded(u * weighted);
 }
 
-Eigen::MatrixXd LagWaves::directions(const Blocks& blocks, const Grid& of_blocks) const {
+Eigen::MatrixXd LagWaves::directions(const PairBlocks& blocks, const Grid& of_blocks) const {
   const auto count = std::ssize(long_waves_.all());
   if (blocks.complete()) return Eigen::MatrixXd::Identity(count, count);
   const AxisWaves along(of_blocks);

@@ -40,13 +40,16 @@
 
 namespace asperity {
 
+class PairBlocks;
+
 class LagWaves {
  public:
   /// `few`: those of J² = 5, however large the field.
   enum class Number { all, few };
-  /// Of heights less their mean, NaN where missing, at lags up to max_lag.
+  /// Of heights less their mean, NaN where missing, at lags up to max_lag. Of several ranks, each has its
+  /// rows of a field without missing heights, and works on some of the blocks.
   LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads = 1,
-           Number number = Number::all);
+           Number number = Number::all, const Ranks& ranks = alone());
 
   /// Of freedom.
   double degrees() const { return long_waves_.degrees(static_cast<Index>(waves_.size()) - 1, 40); }
@@ -63,9 +66,8 @@ class LagWaves {
 
     void add(const Field& u, const Field& of_products, const Field& of_squares, const Field& of_pairs);
   };
-  class Blocks;
   // (3) of long_waves.hpp over the points of the blocks, a row a wave; of a complete field C = 1.
-  Eigen::MatrixXd directions(const Blocks& blocks, const Grid& of_blocks) const;
+  Eigen::MatrixXd directions(const PairBlocks& blocks, const Grid& of_blocks) const;
   // The modes of a mean of `per_product` z z' + `per_square` ½(z² + z'²).
   std::vector<Field> modes(const Field& per_product, const Field& per_square, double loss) const;
   LagField errors(double per_product, double per_square, double loss) const;

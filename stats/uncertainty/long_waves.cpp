@@ -103,12 +103,6 @@ double LocalMeans::error(const Function& g) const {
 LocalSums::LocalSums(const Grid& grid, Index functions)
     : grid_(grid), functions_(functions), along_(grid), sums_(none()) {}
 
-void LocalSums::Sums::operator+=(const Sums& other) {
-  for (std::size_t j = 0; j < waves.size(); ++j) waves[j] += other.waves[j];
-  products += other.products;
-  squares += other.squares;
-}
-
 LocalSums::Sums LocalSums::none() const {
   const Index m = functions_ + 1;
   return {std::vector<Eigen::MatrixXd>(AxisWaves::most + 1, Eigen::MatrixXd::Zero(m, AxisWaves::most + 1)),
@@ -128,9 +122,10 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   sums.products += values.transpose() * values;
 }
 
-void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill) {
-  constexpr Index block = 32;
-  const Index blocks = (rows + block - 1) / block;
+void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill,
+                         const Ranks& ranks) {
+  constexpr Index block = 32;  // of which ranks have whole ones
+  const Index blocks = (rows + block - 1) / block, first = Slabs(grid_.shape.nx, ranks).own().first;
   std::vector<Sums> of_blocks(static_cast<std::size_t>(blocks));
   parallel_ranges(blocks, threads, [&](Index begin, Index end, int) {
     Values values(grid_.shape.ny, functions_ + 1);
@@ -139,11 +134,19 @@ void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index
       for (Index i = b * block; i < std::min(rows, (b + 1) * block); ++i) {
         values.setConstant(NAN);
         fill(i, values);
-        add_row(sums, rows_ + i, values);
+        add_row(sums, rows_ + first + i, values);
       }
     }
   });
-  for (const Sums& sums : of_blocks) sums_ += sums;
+  std::vector<double> own;
+  for (Sums& sums : of_blocks)
+    sums.each([&](const Eigen::MatrixXd& m) { own.insert(own.end(), m.data(), m.data() + m.size()); });
+  const std::vector<double> all = gathered(ranks, own);
+  for (const double* next = all.data(); next != all.data() + all.size();)
+    sums_.each([&](Eigen::MatrixXd& m) {
+      m += Eigen::Map<const Eigen::MatrixXd>(next, m.rows(), m.cols());
+      next += m.size();
+    });
   rows_ += rows;
 }
 

@@ -42,6 +42,7 @@
 #include <Eigen/Core>
 
 #include "core/field.hpp"
+#include "core/ranks.hpp"
 #include "stats/filter/axis_products.hpp"
 
 namespace asperity {
@@ -131,8 +132,10 @@ class LocalSums {
   using Values = Eigen::MatrixXd;
 
   LocalSums(const Grid& grid, Index functions);
-  /// The next rows of the field: fill(i, values) sets columns 1, 2, … of row i < rows, which are NaN.
-  void add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill);
+  /// The next rows of the field: fill(i, values) sets columns 1, 2, … of row i < rows, which are NaN. Of
+  /// several ranks, each has its rows of the whole field.
+  void add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill,
+                const Ranks& ranks = alone());
   double count() const { return sums_.waves[0](0, 0); }  ///< of the points
   LocalMeans means(const FieldExtent& extent) const;
 
@@ -142,7 +145,12 @@ class LocalSums {
     Eigen::MatrixXd products;            // Σ f_a f_b
     AxisWaves::Squares squares;
 
-    void operator+=(const Sums& other);
+    // visit(m) of all of them.
+    template <class Visit>
+    void each(Visit visit) {
+      for (Eigen::MatrixXd& m : waves) visit(m);
+      visit(products), visit(squares);
+    }
   };
   Sums none() const;
   void add_row(Sums& sums, Index i, Values& values) const;

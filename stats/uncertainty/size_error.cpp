@@ -24,15 +24,14 @@ Index reach_of(const Eigen::ArrayXd& squares) {
 
 // Twice as far as lags are significant, as of_estimate sums.
 Shape lags_of_sums(const LagField& rho, const Pairs& pairs) {
-  const LagField lags = significant_lags(rho, pairs);
-  Eigen::ArrayXd along_x = Eigen::ArrayXd::Zero(lags.max_p() + 1),
-                 along_y = Eigen::ArrayXd::Zero(lags.max_q() + 1);
-  for_each_lag(lags, pairs, [&](Index p, Index q, double weight) {
-    const double square = weight * lags(p, q) * lags(p, q);
+  Eigen::ArrayXd along_x = Eigen::ArrayXd::Zero(rho.max_p() + 1),
+                 along_y = Eigen::ArrayXd::Zero(rho.max_q() + 1);
+  for (const auto& [p, q, value, weight] : significant(rho, pairs)) {
+    const double square = weight * value * value;
     along_x(p) += square;
     along_y(std::abs(q)) += square;
-  });
-  return rho.within({2 * reach_of(along_x) + 1, 2 * reach_of(along_y) + 1}).max_lag();
+  }
+  return {std::min(rho.max_p(), 2 * reach_of(along_x) + 1), std::min(rho.max_q(), 2 * reach_of(along_y) + 1)};
 }
 
 double kept(double independent) { return 1 - std::min(0.4, 1.4 / std::sqrt(independent)); }
@@ -43,8 +42,9 @@ SizeErrors::SizeErrors(const Field& d, const LagField& estimate, const Pairs& pa
                        const FieldExtent& extent, const EffectiveSampleSize& size, int threads)
     : values_(sizes(size)) {
   const LagField rho = estimate.normalised();
-  const AcfDeviations deviations =
-      LagWaves(d, pairs.grid(), lags_of_sums(rho, pairs), extent, threads).of_ratio(rho);
+  const AcfDeviations deviations = LagWaves(d, pairs.grid(), lags_of_sums(rho, pairs), extent, threads,
+                                            LagWaves::Number::all, rho.rows().ranks())
+                                       .of_ratio(rho);
   auto figures = [&](const LagField& of) { return sizes(EffectiveSampleSize::of_estimate(of, pairs, form)); };
   errors_ = values_ * deviations.relative_errors(rho, figures, threads) * kept(size.effective(2)) /
             kept(size.effective(1));

@@ -9,7 +9,7 @@
 namespace asperity {
 
 LagField underlying_correlation(const LagField& heights, const CorrelationMap& map) {
-  return LagField(heights.normalised().half_plane().unaryExpr([&](double r) { return map.inverse(r); }));
+  return heights.normalised().mapped([&](double r) { return map.inverse(r); });
 }
 
 std::optional<Translation> evident_translation(const Moments& moments, const MomentErrors& gaussian) {

@@ -11,7 +11,7 @@ using namespace asperity::test;
 
 namespace {
 
-constexpr FieldExtent extent{700, 1};
+constexpr FieldExtent of_field{700, 1};
 
 // Heights whose local amplitude strays: the exponential of a Gaussian field.
 Field skewed(Shape shape, unsigned seed) {
@@ -58,7 +58,7 @@ TEST_CASE("an excess does not depend on units, nor on the names of the axes", "[
   }
   // A single wave: q of sin(qx) by differences is 2 sin(qΔ/2)/Δ.
   const Field wave = sine({64, 32}, 1, 5);
-  CHECK(profile_excess(wave, grid(64, 32, true), Axis1D::x, DataWindow::none, extent).rms_wave_number ==
+  CHECK(profile_excess(wave, grid(64, 32, true), Axis1D::x, DataWindow::none, of_field).rms_wave_number ==
         Approx(2 * std::sin(std::numbers::pi * 5 / 64)).epsilon(1e-12));
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("an excess is what long waves say beyond Gaussian heights of the same 
   squares.add_rows(48, 1, [&](Index i, LocalSums::Values& values) {
     values.col(1) = z.row(i).square().transpose().matrix();
   });
-  const LocalMeans means = squares.means(extent);
+  const LocalMeans means = squares.means(of_field);
   auto itself = [](const Eigen::VectorXd& m) { return m(0); };
   const double own = std::pow(means.error(itself) / means(itself), 2);
   for (const auto& [window, overlap] : {std::pair{DataWindow::none, 1.0}, {DataWindow::hann, 35.0 / 18}}) {
@@ -81,7 +81,7 @@ TEST_CASE("an excess is what long waves say beyond Gaussian heights of the same 
                               .front();
     const double excess = own * overlap - all.variance / (all.mean * all.mean);
     REQUIRE(excess > 0);
-    CHECK(relative_error(profile_excess(z, g, Axis1D::x, window, extent).of_heights, excess) <= 1e-9);
+    CHECK(relative_error(profile_excess(z, g, Axis1D::x, window, of_field).of_heights, excess) <= 1e-9);
   }
 }
 

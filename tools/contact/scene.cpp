@@ -183,6 +183,20 @@ const LoadColumn load_columns[] = {
     {"convolutions", "1", figure<&Contact::convolutions>},
     {"converged", "1", figure<&Contact::converged>}};
 
+// What the whole gap tells. Where that is not kept, it is worked in.
+void learn_from_gap(ContactScene& scene, const ContactOptions& o, bool spends_gap) {
+  scene.data.find("x")->attributes.set("periodic", scene.grid.periodic.x ? 1 : 0);
+  scene.data.find("y")->attributes.set("periodic", scene.grid.periodic.y ? 1 : 0);
+  const bool rough = !o.smooth || !o.counter.empty();
+  if (o.adds("contact_ratios"))
+    scene.roughness =
+        roughness_of(undeformed_gap(scene.grid, o.bodies) - scene.gap, scene.grid, o.contact.threads);
+  if (rough) scene.seams = seams(scene.gap, scene.grid.periodic);
+  scene.growth =
+      rough ? slope_growth(spends_gap ? std::move(scene.gap) : scene.gap, scene.grid, o.contact.threads)
+            : SlopeGrowth{GridErrors::none};
+}
+
 }  // namespace
 
 ContactScene scene_of(const Tool& tool, const ContactOptions& o, Dataset data) {
@@ -196,18 +210,17 @@ ContactScene scene_of(const Tool& tool, const ContactOptions& o, Dataset data) {
   if (o.smooth) set_grid(scene.data, scene.grid);
   const Grid given = scene.grid;
   scene.grid.periodic = periodic(o, given);
+  auto gap_of = [&](Extent rows) {
+    Field gap = undeformed_gap(scene.grid, o.bodies, rows);
+    if (!o.smooth) gap -= field_of(scene.data, o.variable, "m", rows);
+    if (!o.counter.empty()) gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory(), rows);
+    return gap;
+  };
   const bool whole = !slabs.shared() || o.ranks->rank() == 0;
-  const Extent rows = whole ? Extent{0, shape.nx} : slabs.own();
-  agree(*o.ranks, [&] {
-    scene.gap = undeformed_gap(scene.grid, o.bodies, rows);
-    if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m", rows);
-    if (!o.counter.empty())
-      scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory(), rows);
-  });
-  if (!whole) return scene;
-  ContactScene out = scene_with(o, std::move(scene.data), scene.grid, std::move(scene.gap));
-  if (slabs.shared()) out.gap = own_rows(out.gap, slabs);
-  return out;
+  agree(*o.ranks, [&] { scene.gap = gap_of(whole ? Extent{0, shape.nx} : slabs.own()); });
+  if (whole) learn_from_gap(scene, o, slabs.shared());
+  if (whole && slabs.shared()) scene.gap = gap_of(slabs.own());
+  return scene;
 }
 
 bool fits(const Tool& tool, Shape shape) {
@@ -216,15 +229,7 @@ bool fits(const Tool& tool, Shape shape) {
 
 ContactScene scene_with(const ContactOptions& o, Dataset data, const Grid& grid, Field gap) {
   ContactScene scene{.data = std::move(data), .grid = grid, .gap = std::move(gap)};
-  scene.data.find("x")->attributes.set("periodic", grid.periodic.x ? 1 : 0);
-  scene.data.find("y")->attributes.set("periodic", grid.periodic.y ? 1 : 0);
-  const bool rough = !o.smooth || !o.counter.empty();
-  scene.growth =
-      rough ? slope_growth(scene.gap, scene.grid, o.contact.threads) : SlopeGrowth{GridErrors::none};
-  if (rough) scene.seams = seams(scene.gap, scene.grid.periodic);
-  if (o.adds("contact_ratios"))
-    scene.roughness =
-        roughness_of(undeformed_gap(scene.grid, o.bodies) - scene.gap, scene.grid, o.contact.threads);
+  learn_from_gap(scene, o, false);
   return scene;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "acf/table.hpp"
 #include "core/error.hpp"
 #include "core/words.hpp"
@@ -74,9 +76,32 @@ Surface FieldOptions::without_heights(const Dataset& data) const {
   return out;
 }
 
-Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
+void refuse_ranks(const Tool& tool, const std::string& option, const std::string& what) {
+  if (const int ranks = tool.ranks().count(); ranks > 1)
+    throw UsageError(option, fmt::format("{} needs the whole field, which {} ranks share: start one process",
+                                         what, ranks));
+}
+
+void FieldOptions::check_ranks(const Tool& tool, EnsembleInput& inputs) const {
+  if (tool.ranks().count() == 1) return;
+  inputs.resolve(tool);
+  if (!asked.form.is_mean()) refuse_ranks(tool, "remove-form", asked.form.words());
+  for (const char* filter : {"lambda-s", "lambda-c"})
+    if (tool.given(std::string("--") + filter)) refuse_ranks(tool, filter, "a filter");
+}
+
+Surface FieldOptions::read(const Tool& tool, const Dataset& data, const Ranks& ranks) const {
   Surface surface = without_heights(data);
-  surface.heights = field_of(data, variable, Missing::not_a_number);
+  const Slabs rows = shared_rows(surface.grid.shape, ranks);
+  surface.ranks = &rows.ranks();
+  agree(rows.ranks(), [&] {
+    surface.heights = field_of(data, variable, surface.units, rows.own(), Missing::not_a_number);
+    if (rows.shared() && surface.heights.isNaN().any())
+      throw DataError(variable,
+                      fmt::format("a field with missing points cannot be measured by {} ranks: start "
+                                  "one process",
+                                  rows.ranks().count()));
+  });
   if (asked.form.kind != Form::Kind::polynomial) check_lengths(surface, "the radius of a form");
   check_cutoffs(tool, asked, surface.grid);
   surface = prepared(std::move(surface), asked, tool.thread_count());

@@ -84,6 +84,15 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
   return out;
 }
 
+void StatsOptions::check_ranks(const Tool& tool, EnsembleInput& inputs) const {
+  field.check_ranks(tool, inputs);
+  for (const std::string& group : groups)
+    if (group != "height") refuse_ranks(tool, "parameters", group);
+  if (!profile.empty()) refuse_ranks(tool, "profile", "a profile");
+  if (!quantiles.empty()) refuse_ranks(tool, "quantiles", "a quantile");
+  if (errors == "twins") refuse_ranks(tool, "errors", errors);
+}
+
 std::set<Group> StatsOptions::asked_groups() const {
   std::set<Group> out;
   for (const std::string& word : groups)

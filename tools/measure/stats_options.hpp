@@ -15,11 +15,13 @@ struct StatsOptions {
   std::string quantiles = {}, direction = {};
   MeasureOptions measured = {};  ///< those that need no further parsing
   std::string errors = "auto";
-  std::string profile = {};      ///< x or y: profile parameters instead of areal ones
+  std::string profile = {};  ///< x or y: profile parameters instead of areal ones
 
   void declare(Tool& tool);
   /// Throws UsageError for unknown or repeated words, and for an option whose group is not requested.
   MeasureOptions checked(const Tool& tool) const;
+  /// As that of the field, and for what several ranks cannot measure.
+  void check_ranks(const Tool& tool, EnsembleInput& inputs) const;
 
  private:
   std::set<Group> asked_groups() const;

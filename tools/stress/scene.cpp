@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "contact/flattening.hpp"
-#include "contact/influence.hpp"
 #include "core/error.hpp"
 #include "core/poisson.hpp"
 #include "core/words.hpp"
