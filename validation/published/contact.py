@@ -40,8 +40,8 @@ def egg_box_at(shares, n=512, height=1e-6):
 def egg_box():
     """The egg box of Johnson, Greenwood and Higginson
 
-    D cos(2 pi x / L) cos(2 pi y / L), p* = sqrt(2) pi E* D / L: Hertz's area at a low load, 1 - 3/(2 pi) (1
-    - p/p*) near full contact (K. L. Johnson, J. A. Greenwood, J. G. Higginson, The contact of elastic
+    D cos(2 pi x / L) cos(2 pi y / L), p* = sqrt(2) pi E* D / L: Hertz's area at a low load, 1 - 3 (1 -
+    p/p*)/(2 pi) near full contact (K. L. Johnson, J. A. Greenwood, J. G. Higginson, The contact of elastic
     regular wavy surfaces, Int. J. Mech. Sci. 27 (1985) 383-396). Between, no closed form is known: the
     published figures there are of two other codes. The doubt of Hertz's law is what neighbours add, here a
     hundredth.
