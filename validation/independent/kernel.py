@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Kernels of the exponential autocorrelation by Newton's method on dense Jacobians: the digits that tests/acf/kernel.cpp knows.
+"""Kernels of the exponential autocorrelation by Newton's method on dense Jacobians: the digits of tests/acf/kernel.cpp.
 
     validation/independent/kernel.py        half a minute
 
-It shares nothing with Asperity. R(p, q) = exp(-c hypot(p/n, q/m)) at the lags p < n, q < m is the autocorrelation of white noise
-averaged with the kernel a: of a kernel that is even in both indices, 2n-1 x 2m-1 weights, or of Patir's n x m weights.
+It shares nothing with Asperity. R(p, q) = exp(-c hypot(p/n, q/m)) at the lags p < n, q < m is the autocorrelation of white
+noise averaged with the kernel a: of a kernel that is even in both indices, 2n-1 x 2m-1 weights, or of Patir's n x m weights.
 """
 import numpy as np
 
@@ -60,14 +60,14 @@ def solve(n, m, c, patir=False):
 
 
 def main():
-    for n, m, c, patir in ((3, 3, 4.6, False), (7, 4, 4.6, False), (31, 31, 4.6, False), (31, 31, 7, False), (7, 7, 4.6, True),
-                           (31, 31, 4.6, True)):
+    for n, m, c, patir in ((3, 3, 4.6, False), (7, 4, 4.6, False), (31, 31, 4.6, False), (31, 31, 7, False),
+                           (7, 7, 4.6, True), (31, 31, 4.6, True)):
         a, left = solve(n, m, c, patir)
         row, column = (0, 0) if patir else (n - 1, m - 1)
         p, q = np.indices((n, 2 * m - 1))
         off = np.abs(correlation(a, n, m) - np.exp(-c * np.hypot(p / n, (q - m + 1) / m)))[1:, : m - 1].max()
-        print(f"{n} x {m}, c = {c}{', Patir' * patir}: first {a[row, column]:.12f}, next {a[row, column + 1]:.12f}, sum {a.sum():.12f}, "
-              f"mirrored lags off by {off:.6f}, residual {left:.0e}")
+        print(f"{n} x {m}, c = {c}{', Patir' * patir}: first {a[row, column]:.12f}, next {a[row, column + 1]:.12f}, "
+              f"sum {a.sum():.12f}, mirrored lags off by {off:.6f}, residual {left:.0e}")
 
 
 if __name__ == "__main__":

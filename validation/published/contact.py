@@ -90,11 +90,12 @@ def off():
     """Published figures that are off
 
     R. L. Jackson and J. L. Streator's fit to the egg box (Wear 261 (2006) 1337-1347, equation (12)) errs by
-    a tenth at a tenth of p*; two other codes agree with the tools above. King's 1.012 E* 2 sqrt(A/pi) d for
-    the square punch (1987) is 0.9 % less than Read's series, which the tools meet. In Johnson's Table 4.1
-    (1985) the depths z/b of the largest shear stress end in 0 or 5, and three of the five are further off
-    than that explains; integrals of point loads and the tools have the same depth there, see Hertz's
-    ellipses. The claim is that neither error explains the difference.
+    a tenth at a tenth of p*; slippy and ContactMechanics find the same cells in contact as the tools do (at
+    0.3 p*, validation/peers/figures.tsv). King's 1.012 E* 2 sqrt(A/pi) d for the square punch (1987) is 0.9
+    % less than Read's series, which the tools meet. In Johnson's Table 4.1 (1985) the depths z/b of the
+    largest shear stress end in 0 or 5, and three of the five are further off than that explains; integrals
+    of point loads and the tools have the same depth there, see Hertz's ellipses. The claim is that neither
+    error explains the difference.
     """
     from stress import JOHNSON, deepest
     for share, contact in zip(EGG_BOX[:3], egg_box_at(EGG_BOX[:3])):
