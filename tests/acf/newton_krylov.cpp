@@ -64,8 +64,7 @@ TEST_CASE("an equation without a root ends within the steps allowed, at a finite
   CHECK(std::isfinite(u[0]));
 }
 
-TEST_CASE("an iteration that cannot leave the edge of the domain says so and stays inside",
-          "[newton][contract]") {
+TEST_CASE("an iteration that cannot leave the edge of the domain ends there at once", "[newton][contract]") {
   struct Bounded : Squares {
     using Squares::Squares;
     bool residual(std::span<const double> u, std::span<double> f) override {
@@ -75,7 +74,8 @@ TEST_CASE("an iteration that cannot leave the edge of the domain says so and sta
   std::vector<double> u{3};
   const IterationResult result = solve_newton_krylov(bounded, u, {});
   CHECK_FALSE(result.converged);
-  CHECK(result.reason == "every shorter step leaves the domain of the equations");
+  CHECK_FALSE(result.reason.empty());
+  CHECK(result.steps <= 1);
   CHECK(u[0] == 3);
 }
 

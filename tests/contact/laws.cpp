@@ -231,9 +231,12 @@ TEST_CASE("a load or approach whose pressures or displacements no double holds i
 
 TEST_CASE("a solution cut short says so and still keeps bounds and load", "[contact][contract]") {
   const Grid grid = square(64);
-  const Contact contact = press(grid, rough_gap(grid), {.max_convolutions = 4});
+  const Field gap = rough_gap(grid);
+  const Contact contact = press(grid, gap, {.max_convolutions = 4});
   CHECK_FALSE(contact.converged);
-  CHECK(contact.reason.find("4 convolutions") != std::string::npos);
+  CHECK_FALSE(contact.reason.empty());
+  CHECK(contact.convolutions >= 4);  // and those on coarser grids and windows
+  CHECK(contact.convolutions < press(grid, gap, {}).convolutions);
   CHECK(contact.residual > 1e-8);
   CHECK(contact.load_residual <= 1e-12);
   CHECK(contact.pressure.minCoeff() >= 0);

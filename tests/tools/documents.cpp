@@ -124,18 +124,21 @@ TEST_CASE("completions are right by the grammar of their shells", "[completion][
   CHECK(shell(tool + " --completion fish").exit == 2);
 }
 
-// In a terminal of zsh's own module zpty; Tab behind "--mod" and "--model=mat".
+// In a terminal of zsh's own module zpty; Tab behind "--mod" and "--model=mat". `until_shown` waits for what the
+// shell shows, at most 20 s.
 TEST_CASE("zsh completes options and the words of a choice", "[completion][contract][slow]") {
   const Outcome zsh = shell(
       "command -v zsh >/dev/null || { echo SKIPPED: no zsh; exit; }; mkdir zsh;"
       "asperity-generate --completion zsh > zsh/_asperity-generate; cat > ask.zsh <<'ASK'\n"
       "zmodload zsh/zpty\n"
+      "until_shown() { for i in {1..400}; do zpty -r -t shell part && shown+=$part; [[ $shown == *$1* ]] && "
+      "return;"
+      " sleep 0.05; done; }\n"
       "zpty shell 'zsh -f -i'\n"
       "zpty -w shell \"PS1=; fpath=(\\$PWD/zsh \\$fpath); autoload -U compinit; compinit -u -D; bindkey '^I' "
-      "complete-word\"\n"
-      "sleep 1.5; zpty -n -w shell $'asperity-generate --mod\\t'; sleep 1\n"
-      "zpty -n -w shell $'mat\\t'; sleep 1\n"
-      "while zpty -r -t shell part; do print -rn -- $part; done\n"
+      "complete-word; print rea''dy\"\n"
+      "until_shown ready; zpty -n -w shell $'asperity-generate --mod\\t'; until_shown --model\n"
+      "zpty -n -w shell $'mat\\t'; until_shown matern; print -r -- $shown\n"
       "ASK\n"
       "zsh -f ask.zsh");
   if (skipped(zsh)) return;
