@@ -63,7 +63,9 @@ struct Solved {
     return !grid.periodic.any() &&
            (p.row(0).sum() + p.row(p.rows() - 1).sum() + p.col(0).sum() + p.col(p.cols() - 1).sum()) > 0;
   }
-  double corrected() const { return corrected_area(grid, contact.area, outline(grid, contact)); }
+  double corrected() const {
+    return corrected_area(grid, contact, outline(grid, contact), parameters.limit_pressure);
+  }
   double plastic() const {
     return contact.plastic_area + 0.1 * outline(grid, contact, Contact::plastic).sides() * grid.cell_area();
   }

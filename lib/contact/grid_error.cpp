@@ -118,7 +118,7 @@ GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserCo
       std::max(share::pressure * m(&Contact::max_pressure),
                contact.plastic_area > 0 ? 0 : share::peak * rise_of_peak(contact.pressure, grid.periodic));
   out.area = area_excess(grid, around);
-  out.area_corrected = area_scatter(grid, around);
+  out.area_corrected = corrected_area_error(grid, contact, around);
   out.plastic_area = plastic_area_error(grid, contact, m(&Contact::plastic_area));
   out.stiffness = stiffness_error(grid, contact, around, m(&Contact::stiffness));
   if (!coarser.under_approach) {

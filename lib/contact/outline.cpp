@@ -89,8 +89,14 @@ Outline outline(const Grid& grid, const Contact& contact, Contact::State least) 
   return out;
 }
 
-double corrected_area(const Grid& grid, double area, const Outline& outline) {
-  return std::max(0.0, area - bias * outline.sides() * grid.cell_area());
+double corrected_area(const Grid& grid, const Contact& contact, const Outline& outline,
+                      double limit_pressure) {
+  return std::max(contact.load / limit_pressure, contact.area - bias * outline.sides() * grid.cell_area());
+}
+
+double corrected_area_error(const Grid& grid, const Contact& contact, const Outline& outline) {
+  const double plastic = contact.area > 0 ? contact.plastic_area / contact.area : 0;
+  return area_scatter(grid, outline) + plastic * bias * outline.sides() * grid.cell_area();
 }
 
 double area_scatter(const Grid& grid, const Outline& outline) {

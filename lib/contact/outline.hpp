@@ -9,6 +9,9 @@
 /// symmetries repeat each piece of the outline m times.
 ///
 /// Symbols   A area of the cells [m²]   A* corrected area [m²]   N sides   Δx, Δy cell [m]   S perimeter [m]
+/// Under a limit pressure no area is below load / limit. Patches that are at it have no such bias: what (1)
+/// takes off is in doubt by the share of the area that is plastic.
+///
 /// Accuracy  |A* - true| ≤ (0.5 √(N m) + 0.03 N) ΔxΔy, and A lies no further off than that and its bias: how
 ///           often, validation/contact_grid_error tells.
 /// Cost      one pass over the cells.
@@ -18,6 +21,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "contact/solver.hpp"
 
@@ -40,7 +44,10 @@ struct Outline {
 Outline outline(const Grid& grid, const Contact& contact, Contact::State least = Contact::elastic);
 
 /// (1) [m²].
-double corrected_area(const Grid& grid, double area, const Outline& outline);
+double corrected_area(const Grid& grid, const Contact& contact, const Outline& outline,
+                      double limit_pressure = std::numeric_limits<double>::infinity());
+/// Its scatter, and the doubt of plastic patches [m²].
+double corrected_area_error(const Grid& grid, const Contact& contact, const Outline& outline);
 /// The scatter of a corrected area [m²].
 double area_scatter(const Grid& grid, const Outline& outline);
 /// By how much the area of whole cells may be too large [m²]: its bias and the scatter.

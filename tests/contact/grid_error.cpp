@@ -23,7 +23,7 @@ Judged judged(const Grid& grid, const Field& gap, ContactParameters parameters, 
   const CoarserContacts coarser = coarser_contacts(grid, gap, *influence, out.contact, parameters, bodies);
   REQUIRE(coarser.unknown.empty());
   out.errors = grid_errors(grid, out.contact, coarser);
-  out.corrected = corrected_area(grid, out.contact.area, outline(grid, out.contact));
+  out.corrected = corrected_area(grid, out.contact, outline(grid, out.contact));
   return out;
 }
 

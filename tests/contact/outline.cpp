@@ -47,7 +47,7 @@ TEST_CASE("a block of cells has as many sides as its rim, and its symmetries are
   CHECK(outline({grid.shape, 2, 3, true}, strip).sides_y == 0);
   const Contact full = cells(grid, [](double, double) { return true; });
   CHECK(outline({grid.shape, 2, 3, true}, full).sides() == 0);
-  CHECK(corrected_area(grid, full.area, outline(grid, full)) == full.area);
+  CHECK(corrected_area(grid, full, outline(grid, full)) == full.area);
 }
 
 TEST_CASE("an L of cells has one image, a square eight", "[contact][exact]") {
@@ -65,7 +65,7 @@ TEST_CASE("the correction takes 0.118 of a cell a side, the scatter grows with t
   const Outline rim = outline(grid, disc);
   // A convex outline has 4 sides a cell of its diameter along the lines.
   CHECK(rim.sides() == Approx(8 * 9.3 / 0.5).epsilon(0.03));
-  const double share = (disc.area - corrected_area(grid, disc.area, rim)) / (rim.sides() * grid.cell_area());
+  const double share = (disc.area - corrected_area(grid, disc, rim)) / (rim.sides() * grid.cell_area());
   CHECK(share == Approx((pi - 1 + std::log(2.0)) / 24).epsilon(1e-12));
   CHECK(area_scatter(grid, rim) == Approx((0.5 * std::sqrt(rim.sides()) + 0.03 * rim.sides()) * 0.25));
   CHECK(area_excess(grid, rim) >= area_scatter(grid, rim));
@@ -83,7 +83,21 @@ TEST_CASE("straight edges along the grid repeat one piece, and their area lies w
       const Outline rim = outline(grid, strip);
       CAPTURE(turned, half, rim.images);
       CHECK(rim.images % 40 == 0);
-      CHECK(std::abs(corrected_area(grid, strip.area, rim) - 2 * half * 20) <= area_scatter(grid, rim));
+      CHECK(std::abs(corrected_area(grid, strip, rim) - 2 * half * 20) <= area_scatter(grid, rim));
     }
   }
+}
+
+TEST_CASE("under a limit pressure no area is below load over limit, and plastic patches put it in doubt",
+          "[contact][law]") {
+  const Grid grid{{64, 64}, 0.5, 0.5};
+  Contact disc = cells(grid, [](double x, double y) { return std::hypot(x - 0.1, y + 0.07) < 9.3; });
+  const Outline rim = outline(grid, disc);
+  const double limit = 2, elastic = corrected_area(grid, disc, rim);
+  CHECK(corrected_area_error(grid, disc, rim) == area_scatter(grid, rim));
+  disc.load = 0.5 * limit * elastic;
+  CHECK(corrected_area(grid, disc, rim, limit) == elastic);
+  disc.load = 0.999 * limit * disc.area, disc.plastic_area = disc.area;
+  CHECK(corrected_area(grid, disc, rim, limit) == disc.load / limit);
+  CHECK(disc.area - elastic + area_scatter(grid, rim) == Approx(corrected_area_error(grid, disc, rim)));
 }

@@ -12,10 +12,11 @@ GridFigures grid_figures(const ContactOptions& options, const ContactScene& scen
                          const Contact& contact) {
   const Grid& grid = scene.grid;
   const Outline around = outline(grid, contact);
-  GridFigures out{around.perimeter(grid), corrected_area(grid, contact.area, around)};
+  GridFigures out{around.perimeter(grid),
+                  corrected_area(grid, contact, around, options.contact.limit_pressure)};
   if (scene.growth.resolved() == Resolved::no || !contact.converged) return out;
   out.errors.area = area_excess(grid, around);
-  out.errors.area_corrected = area_scatter(grid, around);
+  out.errors.area_corrected = corrected_area_error(grid, contact, around);
   if (!options.adds("grid_errors")) return out;
   const CoarserContacts coarser =
       coarser_contacts(grid, scene.gap, influence, contact, options.contact, options.bodies);

@@ -3,7 +3,7 @@ import numpy as np
 
 import asperity as asp
 from greenwood_tripp import solve
-from scenes import MODULUS, SIDE, STEEL, cells, mean, pressed, self_affine, slope, surface
+from scenes import MODULUS, SIDE, STEEL, cells, mean, of, pressed, self_affine, slope, surface
 
 PERSSON, BUSH = np.sqrt(8 / np.pi), np.sqrt(2 * np.pi)  # kappa = A/A0 E* Sdq / p at light loads
 
@@ -133,17 +133,17 @@ def plastic():
     Where the limit pressure H is far below E* Sdq, the area is the load over H (F. P. Bowden, D. Tabor, The
     friction and lubrication of solids, 1950); far above, it is that of elastic contact, kappa H / (E* Sdq)
     of it. A referee asks for it since no figure above tests the limit pressure. One surface as before under
-    p = 0.02 E* Sdq, on 256 x 256 cells. `error` is what the correction of the outline makes: it presumes
-    pressures that end at zero, and would leave plastic contacts less area than F / H.
+    p = 0.02 E* Sdq, on 256 x 256 cells. The correction of the outline presumes pressures that end at zero;
+    where cells are at the limit its stated error tells of the doubt, and no area is below F / H.
     """
     heights = self_affine(256, 4, 32, 0.8, 0)
     stiff = MODULUS * slope(heights)
     for ratio in (0.0625, 0.125, 0.25, 8, 16, 32):
         limit = stiff / ratio
         contact = asp.contact(surface(heights, True), load=0.02 * stiff * SIDE**2, limit_pressure=limit, **STEEL)
-        raw, corrected = (contact.attrs[f"contact_area{which}"] / (0.02 * ratio) / SIDE**2 for which in ("", "_corrected"))
+        share, error = (number / (0.02 * ratio) for number in of(contact, "area_corrected", SIDE**2))
         if ratio < 1:
             middle, doubt = (BUSH + PERSSON) / 2 / ratio, (BUSH - PERSSON) / 2 / ratio
-            yield "A H / F, elastic", ratio, middle, corrected, raw - corrected, doubt
+            yield "A H / F, elastic", ratio, middle, share, error, doubt
         else:
-            yield "A H / F, plastic", ratio, 1, raw, raw - corrected, 0
+            yield "A H / F, plastic", ratio, 1, share, error, 0

@@ -24,7 +24,7 @@ Errors    ToolError and its kinds UsageError, BadData and NotConverged, which ha
 from ._calls import Stage, dataset, ensemble, pipe, stage
 from .errors import BadData, NotConverged, ToolError, ToolWarning, UsageError
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = ["BadData", "NotConverged", "Stage", "ToolError", "ToolWarning", "UsageError", "dataset", "ensemble",
            "pipe", "stage"]
 
