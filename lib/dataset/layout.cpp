@@ -187,6 +187,7 @@ Field field_of(const Dataset& dataset, std::string_view name, std::string_view u
 
 Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit, Extent rows,
                Missing missing) {
+  if (rows == Extent{0, dataset.length("x")}) return field_of(dataset, name, unit, missing);
   const auto ny = dataset.length("y");
   auto on_cells = [](const Variable& v) { return v.dimensions == Names{"x", "y"}; };
   if (!on_cells(dataset.at(name))) throw DataError(std::string(name), "is not a field on (x, y)");
