@@ -22,7 +22,7 @@
 ///           grids; two for a contact of a hundred cells; half as many again for the stiffness.
 ///           Preconditioners and passes over the cells add a half.
 /// Scope     half-spaces and small strains: contact/doubts.hpp says where a result leaves them.
-/// Memory    12 doubles a cell, gap and result included; less where contact is a part of the domain.
+/// Memory    11.5 doubles a cell, gap and result included; less where contact is a part of the domain.
 #pragma once
 
 #include <cstdint>
