@@ -106,10 +106,14 @@ cli::Table table(const cli::Tool& tool, const Options& what, Surface surface) {
   return what.result.result == "profiles" ? profiles(sample, windows) : radial(sample, windows);
 }
 
-// One surface: its dataset or table, with errors by theory.
+// One surface: its dataset or table, with errors by theory. Tables are the first rank's work: their errors
+// need the whole field.
 void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
-  Surface surface = field.read(tool, data);
-  if (!what.result.dataset()) return cli::print(tool, table(tool, what, std::move(surface)));
+  if (!what.result.dataset()) {
+    if (tool.speaks()) cli::print(tool, table(tool, what, field.read(tool, data, alone())));
+    return;
+  }
+  const Surface surface = field.read(tool, data);
   const DataWindows windows = what.windows(surface.grid);
   const LagField psd =
       power_spectrum(surface.heights, surface.grid, windows, tool.thread_count(), *surface.ranks);
@@ -239,7 +243,6 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     what.result.check(tool);
-    if (!what.result.dataset()) cli::refuse_ranks(tool, "result", what.result.result);
     options.check_ranks(tool, inputs);
     Surfaces surfaces(tool, options, what);
     inputs.for_each(tool, [&](cli::EnsembleMember&& member) {

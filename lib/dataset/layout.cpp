@@ -104,7 +104,8 @@ Field matrix(const Dataset& dataset, const Variable& variable, double factor) {
   return out;
 }
 
-void refuse_not_finite(const std::string& name, const Field& values, Missing missing) {
+// `values`: the rows from `first` on.
+void refuse_not_finite(const std::string& name, const Field& values, Index first, Missing missing) {
   if ((0.0 * values).sum() == 0) return;  // all are finite
   auto refused = [&](double value) {
     return missing == Missing::refused ? !std::isfinite(value) : std::isinf(value);
@@ -112,7 +113,7 @@ void refuse_not_finite(const std::string& name, const Field& values, Missing mis
   const double* const end = values.data() + values.size();
   const double* const at = std::find_if(values.data(), end, refused);
   if (at == end) return;
-  const Index place = at - values.data(), i = place / values.cols(), j = place % values.cols();
+  const Index place = at - values.data(), i = first + place / values.cols(), j = place % values.cols();
   throw DataError(name, fmt::format("the value at point ({}, {}) is {}", i, j,
                                     std::isnan(*at) ? "not a number" : "infinite"));
 }
@@ -149,6 +150,18 @@ void leave_out_masked(const Dataset& dataset, const Variable& variable, Field& v
   values = (matrix(dataset, *mask, 1.0) != 0).select(std::numeric_limits<double>::quiet_NaN(), values);
 }
 
+// A field from a strip of a dataset, its rows from `first` on. Errors tell of the whole.
+Field rows_from(const Dataset& strip, const Dataset& whole, Index first, std::string_view name,
+                std::string_view unit, Missing missing) {
+  const Variable& all = whole.at(name);
+  const double factor = factor_to(unit, all);
+  if (all.dimensions != Names{"x", "y"}) throw DataError(all.name, "is not a field on (x, y)");
+  Field out = matrix(strip, strip.at(name), factor);
+  missing == Missing::refused ? refuse_missing(whole, all, out) : leave_out_masked(strip, all, out);
+  refuse_not_finite(all.name, out, first, missing);
+  return out;
+}
+
 }  // namespace
 
 void set_grid(Dataset& dataset, const Grid& grid) {
@@ -172,17 +185,7 @@ Field field_of(const Dataset& dataset, std::string_view name, Missing missing) {
 }
 
 Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit, Missing missing) {
-  const Variable& variable = dataset.at(name);
-  const double factor = factor_to(unit, variable);
-  if (variable.dimensions != Names{"x", "y"}) throw DataError(variable.name, "is not a field on (x, y)");
-  Field out = matrix(dataset, variable, factor);
-  if (missing == Missing::refused) {
-    refuse_missing(dataset, variable, out);
-  } else {
-    leave_out_masked(dataset, variable, out);
-  }
-  refuse_not_finite(variable.name, out, missing);
-  return out;
+  return rows_from(dataset, dataset, 0, name, unit, missing);
 }
 
 Field field_of(const Dataset& dataset, std::string_view name, std::string_view unit, Extent rows,
@@ -190,7 +193,6 @@ Field field_of(const Dataset& dataset, std::string_view name, std::string_view u
   if (rows == Extent{0, dataset.length("x")}) return field_of(dataset, name, unit, missing);
   const auto ny = dataset.length("y");
   auto on_cells = [](const Variable& v) { return v.dimensions == Names{"x", "y"}; };
-  if (!on_cells(dataset.at(name))) throw DataError(std::string(name), "is not a field on (x, y)");
   Dataset strip;
   strip.dimensions = {{"x", rows.count}, {"y", ny}};
   for (const std::string& part : {std::string(name), std::string("mask")})
@@ -198,7 +200,7 @@ Field field_of(const Dataset& dataset, std::string_view name, std::string_view u
       strip.variables.push_back({part, all->dimensions,
                                  values_of(*all, size(rows.first * ny), size(rows.count * ny)),
                                  all->attributes});
-  return field_of(strip, name, unit, missing);
+  return rows_from(strip, dataset, rows.first, name, unit, missing);
 }
 
 void set_field(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
@@ -285,7 +287,7 @@ Field table_of(const Dataset& dataset, std::string_view name, std::string_view u
   const double factor = unit.empty() ? 1 : factor_to(unit, variable);
   if (variable.dimensions.size() != 2) throw DataError(variable.name, "does not have 2 dimensions");
   Field out = matrix(dataset, variable, factor);
-  refuse_not_finite(variable.name, out, missing);
+  refuse_not_finite(variable.name, out, 0, missing);
   return out;
 }
 

@@ -89,6 +89,8 @@ TEST_CASE("a height that is not finite is refused by its place", "[layout][contr
     std::get<std::vector<double>>(
         data.find("heights")->values)[static_cast<std::size_t>(2 * grid.shape.ny + 3)] = bad;
     CHECK_THROWS_WITH(field_of(data, "heights"), ContainsSubstring("(2, 3)"));
+    CHECK_THROWS_WITH(field_of(data, "heights", "m", Extent{1, 2}), ContainsSubstring("(2, 3)"));
+    CHECK_NOTHROW(field_of(data, "heights", "m", Extent{0, 2}));
   }
 }
 
@@ -99,7 +101,8 @@ TEST_CASE("masked points are refused and an empty mask is not", "[layout][contra
   CHECK_NOTHROW(field_of(data, "heights"));
   mask[5] = 1;
   set_flags(data, "mask", mask, "missing points", "present missing");
-  CHECK_THROWS_AS(field_of(data, "heights"), DataError);
+  for (const Extent rows : {Extent{0, grid.shape.nx}, Extent{0, 2}, Extent{2, 1}})
+    CHECK_THROWS_WITH(field_of(data, "heights", "m", rows), ContainsSubstring("1 point masked"));
 }
 
 TEST_CASE("points with the value that _FillValue or missing_value names are refused, in a file's own units",
