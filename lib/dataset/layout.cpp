@@ -124,22 +124,22 @@ std::ptrdiff_t count_if(const Variable& variable, const std::function<bool(doubl
   return out;
 }
 
-// Marks have become NaN and are counted only if there is a NaN.
-void refuse_missing(const Dataset& dataset, const Variable& variable, const Field& values) {
+// Marks have become NaN. What a strip lacks is counted in the whole, and only then.
+void refuse_missing(const Dataset& strip, const Dataset& whole, const Variable& all, const Field& values) {
   const auto refuse = [&](std::ptrdiff_t number, std::string_view how) {
     if (number > 0)
-      throw DataError(variable.name, fmt::format("{} {}: fill or crop the map with asperity-filter",
-                                                 counted(number, "point"), how));
+      throw DataError(all.name, fmt::format("{} {}: fill or crop the map with asperity-filter",
+                                            counted(number, "point"), how));
   };
-  if (const Variable* mask = dataset.find("mask"))
-    refuse(count_if(*mask, [](double v) { return v != 0; }), "masked as missing");
+  const auto masked = [](double v) { return v != 0; };
+  if (const Variable* mask = strip.find("mask"); mask != nullptr && count_if(*mask, masked) > 0)
+    refuse(count_if(whole.at("mask"), masked), "masked as missing");
   if (!values.hasNaN()) return;
-  const bool filled = variable.attributes.find("_FillValue"),
-             named = variable.attributes.find("missing_value");
-  const double mark = mark_of(variable);
-  refuse(count_if(variable, [&](double v) { return v == mark; }), filled  ? "missing (_FillValue)"
-                                                                  : named ? "missing (missing_value)"
-                                                                          : "missing (never written)");
+  const bool filled = all.attributes.find("_FillValue"), named = all.attributes.find("missing_value");
+  const double mark = mark_of(all);
+  refuse(count_if(all, [&](double v) { return v == mark; }), filled  ? "missing (_FillValue)"
+                                                             : named ? "missing (missing_value)"
+                                                                     : "missing (never written)");
 }
 
 // Sets masked points to NaN.
@@ -157,7 +157,7 @@ Field rows_from(const Dataset& strip, const Dataset& whole, Index first, std::st
   const double factor = factor_to(unit, all);
   if (all.dimensions != Names{"x", "y"}) throw DataError(all.name, "is not a field on (x, y)");
   Field out = matrix(strip, strip.at(name), factor);
-  missing == Missing::refused ? refuse_missing(whole, all, out) : leave_out_masked(strip, all, out);
+  missing == Missing::refused ? refuse_missing(strip, whole, all, out) : leave_out_masked(strip, all, out);
   refuse_not_finite(all.name, out, first, missing);
   return out;
 }

@@ -8,7 +8,7 @@ BlockExchange<Number>::BlockExchange(const Slabs& rows, Index count, int threads
   constexpr Index points_at_a_time = 1 << 16;  // of a column of blocks: some megabytes come and go
   const int ranks = rows.ranks().count();
   const Index each = (count + ranks - 1) / ranks;
-  most_ = std::max<Index>({1, threads, points_at_a_time / rows.rows()});
+  most_ = std::max<Index>({1, threads, points_at_a_time / std::max<Index>(1, rows.rows())});
   steps_ = (each + most_ - 1) / most_;
   here_.resize(size(std::min(most_, each) * rows.rows() * width));
 }

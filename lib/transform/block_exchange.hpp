@@ -6,9 +6,12 @@
 ///     BlockExchange<Complex> blocks(rows, count, threads);
 ///     for (Index step = 0; step < blocks.steps(); ++step) {
 ///       blocks.fetch(step, own_rows);           // collective
-///       … blocks.part(k, rank) of blocks.at_hand(step) …
+///       … blocks.part(step, k, rank) of blocks.at_hand(step) …
 ///       blocks.give_back(step, own_rows);       // collective
 ///     }
+///
+/// Cost      each way, all of a rank's rows but its own share goes to others. Memory: 2^19 numbers, or a
+///           block for each thread.
 #pragma once
 
 #include <algorithm>

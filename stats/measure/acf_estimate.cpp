@@ -46,24 +46,15 @@ AcfDeviations deviations_of(const AcfEstimate& estimate, const LagWaves& waves) 
                          : waves.of_ratio(estimate.rho);
 }
 
-LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads) {
+// At lags up to half the field few will do: time and memory grow with their number.
+LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads,
+                  LagWaves::Number number = LagWaves::Number::all) {
   return {heights,
           estimate.grid(),
           max_lag,
           estimate.basis.extent(),
           threads,
-          LagWaves::Number::all,
-          estimate.rho.rows().ranks()};
-}
-
-// At lags up to half the field, of seven waves at most: time and memory grow with their number.
-LagWaves few_waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads) {
-  return {heights,
-          estimate.grid(),
-          max_lag,
-          estimate.basis.extent(),
-          threads,
-          LagWaves::Number::few,
+          number,
           estimate.rho.rows().ranks()};
 }
 
@@ -157,13 +148,15 @@ LagField acf_errors(const AcfEstimate& estimate, const LagWaves& waves, bool abs
 }  // namespace
 
 LagField acf_errors(const AcfEstimate& estimate, const Field& heights, bool absolute, int threads) {
-  return acf_errors(estimate, few_waves_of(estimate, heights, estimate.rho.max_lag(), threads), absolute);
+  return acf_errors(estimate,
+                    waves_of(estimate, heights, estimate.rho.max_lag(), threads, LagWaves::Number::few),
+                    absolute);
 }
 
 ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, bool along_x, bool absolute,
                              int threads) {
   const Shape lags = along_x ? Shape{estimate.rho.max_p(), 0} : Shape{0, estimate.rho.max_q()};
-  const LagWaves waves = few_waves_of(estimate, heights, lags, threads);
+  const LagWaves waves = waves_of(estimate, heights, lags, threads, LagWaves::Number::few);
   auto profile = [&](const LagField& errors) -> Eigen::ArrayXd {
     return along_x ? errors.along_x() : errors.along_y();
   };

@@ -5,6 +5,8 @@
 /// products are a correlation of the block and its surroundings by the FFT, piece by piece where the lags are
 /// short.
 ///
+/// Accuracy  round-off. Cost: nearly all of that of stats/uncertainty/lag_waves.hpp, which needs them.
+///
 /// Of several ranks (core/ranks.hpp), each has some rows of the field, and gets the rows about its blocks.
 #pragma once
 

@@ -1,6 +1,7 @@
 // Several ranks compute layers, sections and their maxima as one does, to the last bit.
 #include "reference/ranks.hpp"
 
+#include <atomic>
 #include <mutex>
 
 #include "core/error.hpp"
@@ -106,6 +107,22 @@ TEST_CASE("several ranks find the largest stress of layers, and its bound, as on
       CHECK((whole == body.pressure).all());
     });
   }
+}
+
+TEST_CASE("several ranks find no stress below an unloaded surface", "[stress][ranks][exact]") {
+  LoadedBody body = bodies().front();
+  body.pressure = 0;
+  std::atomic<bool> stressed = false;
+  for (const auto& plane : {std::optional<Plane>(), std::optional(Plane{true, 40})})
+    ThreadRanks(2).run([&](const Ranks& ranks) {
+      const StressSolver solver(shared(body, ranks), plane);
+      StressSolver::Workspace work;
+      solver.layer(1, stress::all, work, [&](Index, const StressRow& row) {
+        for (auto c : stress::components)
+          for (const double value : row[c]) stressed = stressed || value != 0;
+      });
+    });
+  CHECK_FALSE(stressed);
 }
 
 TEST_CASE("a pressure that is not finite on one rank is refused on all", "[stress][ranks][contract]") {

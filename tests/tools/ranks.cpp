@@ -43,32 +43,43 @@ std::string text_of(const std::string& names) {
   return "for f in " + names + "; do ncdump -p 9,17 $f.nc | sed 1d | grep -v _seconds >$f.txt; done; ";
 }
 
+// What a command writes to OUT.nc, prints and warns of, by one process and by ranks.
+void check_same(const std::string& command, std::size_t ranks, std::size_t threads) {
+  CAPTURE(command, ranks, threads);
+  auto run = [&](const std::string& launcher, const std::string& name, std::size_t of_each) {
+    std::string line = launcher + command + " --threads " + std::to_string(of_each);
+    if (const auto at = line.find("OUT"); at != line.npos) line.replace(at, 3, name);
+    return shell(line);
+  };
+  const Outcome one = run("", "one", 1), several = run(mpirun(static_cast<int>(ranks)), "several", threads);
+  REQUIRE(one.exit == 0);
+  CAPTURE(several.error);
+  CHECK(several.exit == 0);
+  CHECK(several.error == one.error);
+  CHECK(several.out == one.out);
+  if (command.find("OUT") == command.npos) return;
+  CHECK(shell(text_of("one several") +
+              "cmp one.txt several.txt && [ $(stat -c %s one.nc) -eq $(stat -c %s several.nc) ]")
+            .exit == 0);
+}
+
+// On 2 to 4 ranks in turn.
+void check_same(const std::vector<std::string>& commands) {
+  for (std::size_t k = 0; k < commands.size(); ++k) check_same(commands[k], 2 + k % 3, 1 + k % 2);
+}
+
 }  // namespace
 
 TEST_CASE("several ranks write the file of one, byte for byte but for times", "[ranks][contact][slow]") {
   if (no_mpirun()) return;
   draw();
-  const std::vector<std::string> runs{
-      "s.nc --load 20N --radius 20mm --add contact_stiffness,patches,elastic_energy",
-      "s.nc --load 20N --radius 20mm --yield 1GPa --add heights_residual,contact_ratios",
-      "s.nc --approach 1um --radius 20mm",
-      "p.nc --load 50N --add contact_stiffness",
-      "--smooth --shape 600x600 --size 1mm --radius 20mm --load 1N",
-  };
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const std::size_t ranks = 2 + k % 3, threads = 1 + k % 2;
-    CAPTURE(runs[k], ranks, threads);
-    const Outcome one = shell(contact + runs[k] + " -o one.nc --threads 1");
-    REQUIRE(one.exit == 0);
-    const Outcome several = shell(mpirun(static_cast<int>(ranks)) + contact + runs[k] +
-                                  " -o several.nc --threads " + std::to_string(threads));
-    CAPTURE(several.error);
-    CHECK(several.exit == 0);
-    CHECK(several.error == one.error);
-    CHECK(shell(text_of("one several") +
-                "cmp one.txt several.txt && [ $(stat -c %s one.nc) -eq $(stat -c %s several.nc) ]")
-              .exit == 0);
-  }
+  check_same({
+      contact + "s.nc --load 20N --radius 20mm --add contact_stiffness,patches,elastic_energy -o OUT.nc",
+      contact + "s.nc --load 20N --radius 20mm --yield 1GPa --add heights_residual,contact_ratios -o OUT.nc",
+      contact + "s.nc --approach 1um --radius 20mm -o OUT.nc",
+      contact + "p.nc --load 50N --add contact_stiffness -o OUT.nc",
+      contact + "--smooth --shape 600x600 --size 1mm --radius 20mm --load 1N -o OUT.nc",
+  });
 }
 
 TEST_CASE("several ranks print the table of one, and one dataset a load", "[ranks][contact][slow]") {
@@ -88,30 +99,20 @@ TEST_CASE("several ranks write the stresses of one, and print its tables", "[ran
   if (no_mpirun()) return;
   draw();
   REQUIRE(shell(contact + "s.nc --load 20N --radius 20mm --yield 3GPa -o c.nc").exit == 0);
-  const std::string stress = "asperity-stress --no-history --progress never c.nc ";
-  const std::vector<std::string> runs{
-      "--depths 0,6um,24um --components all --above 0.1pmax",
-      "--depths 0:20um:3 --section y=max --components von_mises,xz --friction 0.3",
-      "--maximum",
-  };
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const std::size_t ranks = 2 + k, threads = 2 - k % 2;
-    CAPTURE(runs[k], ranks, threads);
-    const Outcome one = shell(stress + runs[k] + " -o one.nc --threads 1"),
-                  several = shell(mpirun(static_cast<int>(ranks)) + stress + runs[k] +
-                                  " -o several.nc --threads " + std::to_string(threads));
-    REQUIRE(one.exit == 0);
-    CHECK(several.exit == 0);
-    CHECK(several.error == one.error);
-    CHECK(shell(text_of("one several") + "cmp one.txt several.txt").exit == 0);
-  }
-  const std::string table = "--depths 1um,6um --result maxima --of max_shear";
-  CHECK(shell(mpirun(2) + stress + table).out == shell(stress + table).out);
+  check_same({
+      "asperity-stress --no-history c.nc --depths 0,6um,24um --components all --above 0.1pmax -o OUT.nc",
+      "asperity-stress --no-history c.nc --depths 0:20um:3 --section y=max --components von_mises,xz "
+      "--friction 0.3 -o "
+      "OUT.nc",
+      "asperity-stress --no-history c.nc --maximum -o OUT.nc",
+      "asperity-stress c.nc --depths 1um,6um --result maxima --of max_shear",
+  });
   // Into a pipe: the result is kept, or computed again for its variable.
   for (const std::string memory : {"1GB", "1kB"}) {
-    const std::string piped = "--depths 1um,6um --memory " + memory;
-    CHECK(shell(stress + piped + " >one.nc && " + mpirun(2) + stress + piped + " | cat >several.nc; " +
-                text_of("one several") + "cmp one.txt several.txt")
+    const std::string piped =
+        "asperity-stress c.nc --no-history --progress never --depths 1um,6um --memory " + memory;
+    CHECK(shell(piped + " >one.nc && " + mpirun(2) + piped + " | cat >several.nc; " + text_of("one several") +
+                "cmp one.txt several.txt")
               .exit == 0);
   }
 }
@@ -176,33 +177,16 @@ TEST_CASE("a tool that runs as one process refuses to be copied by a launcher", 
 TEST_CASE("several ranks write and print what one measures", "[ranks][acf][psd][moments][slow]") {
   if (no_mpirun()) return;
   draw();
-  const std::vector<std::string> runs{
+  REQUIRE(shell("asperity-generate -q --shape 940x930 --size 1mm --rq 0.2um --length 20um --seed 3 -o l.nc")
+              .exit == 0);
+  check_same({
       "asperity-acf s.nc --no-history -o OUT.nc",
       "asperity-acf p.nc --max-lag 70x33 --absolute --no-history -o OUT.nc",
       "asperity-acf s.nc --result lengths --correlation estimate",
-      "asperity-acf p.nc --result profiles --max-lag 50x50",
-      "asperity-psd s.nc --no-history -o OUT.nc",
+      "asperity-acf p.nc --result profiles --max-lag 50x50", "asperity-psd s.nc --no-history -o OUT.nc",
       "asperity-psd s.nc --result radial",
       "asperity-stats l.nc --correlation estimate",  // above the size that twins are quick at
-  };
-  REQUIRE(shell("asperity-generate -q --shape 940x930 --size 1mm --rq 0.2um --length 20um --seed 3 -o l.nc")
-              .exit == 0);
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const std::size_t ranks = 2 + k % 3, threads = 1 + k % 2;
-    CAPTURE(runs[k], ranks, threads);
-    auto run = [&](const std::string& launcher, const std::string& name, std::size_t of_each) {
-      std::string command = launcher + runs[k] + " --threads " + std::to_string(of_each);
-      if (const auto at = command.find("OUT"); at != command.npos) command.replace(at, 3, name);
-      return shell(command);
-    };
-    const Outcome one = run("", "one", 1), several = run(mpirun(static_cast<int>(ranks)), "several", threads);
-    REQUIRE(one.exit == 0);
-    CAPTURE(several.error);
-    CHECK(several.exit == 0);
-    CHECK(several.error == one.error);
-    CHECK(several.out == one.out);
-    if (one.out.empty()) CHECK(shell(text_of("one several") + "cmp one.txt several.txt").exit == 0);
-  }
+  });
 }
 
 TEST_CASE("what needs the whole field is refused under mpirun in one line", "[ranks][contract][slow]") {

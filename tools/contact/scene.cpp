@@ -210,16 +210,18 @@ ContactScene scene_of(const Tool& tool, const ContactOptions& o, Dataset data) {
   if (o.smooth) set_grid(scene.data, scene.grid);
   const Grid given = scene.grid;
   scene.grid.periodic = periodic(o, given);
-  auto gap_of = [&](Extent rows) {
-    Field gap = undeformed_gap(scene.grid, o.bodies, rows);
-    if (!o.smooth) gap -= field_of(scene.data, o.variable, "m", rows);
-    if (!o.counter.empty()) gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory(), rows);
-    return gap;
-  };
   const bool whole = !slabs.shared() || o.ranks->rank() == 0;
-  agree(*o.ranks, [&] { scene.gap = gap_of(whole ? Extent{0, shape.nx} : slabs.own()); });
-  if (whole) learn_from_gap(scene, o, slabs.shared());
-  if (whole && slabs.shared()) scene.gap = gap_of(slabs.own());
+  const Extent rows = whole ? Extent{0, shape.nx} : slabs.own();
+  agree(*o.ranks, [&] {
+    scene.gap = undeformed_gap(scene.grid, o.bodies, rows);
+    if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m", rows);
+    if (!o.counter.empty())
+      scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory(), rows);
+  });
+  if (!whole) return scene;
+  Field own = slabs.shared() ? own_rows(scene.gap, slabs) : Field();
+  learn_from_gap(scene, o, slabs.shared());
+  if (slabs.shared()) scene.gap = std::move(own);
   return scene;
 }
 
