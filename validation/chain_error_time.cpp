@@ -125,13 +125,16 @@ Outcome hertz_outcome() {
 
 void print_rows(const char* name, bool rough, Index n, const Outcome& exact) {
   const Chain chain(n, rough);
-  const double setup = chain.press(1e-3).setup_seconds + (rough ? seconds_of([&] { kernel_values(n); }) : 0),
-               draw = rough ? seconds_of([&] { chain.draw(); }) : 0;
+  const Seconds setup = seconds_of([&] {
+    make_influence(square(n), scene_bodies.composite_modulus());
+    if (rough) kernel_values(n);
+  });
+  const Seconds draw = rough ? seconds_of([&] { chain.draw(); }) : Seconds{};
   for (double tolerance : {1e-3, 1e-5, 1e-8}) {
     const Outcome o = outcome(chain, tolerance);
-    const double press = seconds_of([&] { chain.press(tolerance); });
+    const Seconds press = seconds_of([&] { chain.press(tolerance); });
     const Field pressure = chain.press(tolerance).pressure;
-    const double stress = seconds_of([&] { chain.stress(pressure); });
+    const Seconds stress = seconds_of([&] { chain.stress(pressure); });
     fmt::print("{}\t{}\t{:.0e}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\n", name, n,
                tolerance, o.p_max / exact.p_max - 1, o.area / exact.area - 1,
                o.von_mises / exact.von_mises - 1, setup, draw + press + stress, draw, press, stress);
@@ -144,7 +147,9 @@ void print_rows(const char* name, bool rough, Index n, const Outcome& exact) {
 int main(int argc, char** argv) {
   print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 512;
-  fmt::print("# case\tN\ttol\tp_max\tarea\tvon_mises\tsetup\tseconds\tdraw\tcontact\tstress\n");
+  fmt::print(
+      "# case\tN\ttol\tp_max\tarea\tvon_mises\tsetup\tsetup_spread\tseconds\tseconds_spread\t"
+      "draw\tdraw_spread\tcontact\tcontact_spread\tstress\tstress_spread\n");
   for (Index n = 64; n <= largest; n *= 2) print_rows("hertz", false, n, hertz_outcome());
   const Outcome fine = outcome(Chain(4 * largest, true), 1e-8);
   for (Index n = 64; n <= largest; n *= 2) print_rows("rough", true, n, fine);

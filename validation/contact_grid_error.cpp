@@ -14,7 +14,7 @@
 /// ratio         median of stated over true
 /// true, stated  medians, relative to the figure
 ///
-/// Second table, by n: what the errors cost. seconds of the contact, of the coarser ones, and their ratio.
+/// Second table, by n: what the errors cost: seconds of the coarser contacts over those of the contact.
 /// Third table, by scene: the figure, its true and its stated error, in SI units.
 #include <algorithm>
 #include <cmath>
@@ -129,11 +129,11 @@ class Page {
                  unresolved_[key.first], within / static_cast<double>(tally.all.size()), median(ratio),
                  median(error), median(stated));
     }
-    fmt::print("# n\tscenes\tseconds\tcoarser_seconds\tshare\n");
+    fmt::print("# n\tscenes\tshare\n");
     for (auto& [n, list] : seconds_) {
       double contact = 0, coarser = 0;
       for (const auto& [one, other] : list) contact += one, coarser += other;
-      fmt::print("{}\t{}\t{:.3f}\t{:.3f}\t{:.2f}\n", n, list.size(), contact, coarser, coarser / contact);
+      fmt::print("{}\t{}\t{:.2f}\n", n, list.size(), coarser / contact);
     }
     fmt::print("# kind\tn\tfigure\tvalue\terror\tstated\n");
     for (const Row& r : rows_)

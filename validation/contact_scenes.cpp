@@ -78,21 +78,21 @@ Field self_affine(Index n) {
 }
 
 ContactScene periodic_scene(const std::string& name, Index n) {
-  const double step = 1.0 / static_cast<double>(n), pressure = name == "C10" ? 0.045 : 0.8;
+  const double step = 1.0 / static_cast<double>(n), pressure = name == "periodic, tenth" ? 0.045 : 0.8;
   return {name, {{n, n}, step, step, true}, -self_affine(n), 1, pressure, none};
 }
 
 }  // namespace
 
 ContactScene contact_scene(const std::string& name, Index n) {
-  if (name[0] == 'C') return periodic_scene(name, n);
-  const Index nx = name == "D" ? 4 * n : n;
+  if (name.starts_with("periodic")) return periodic_scene(name, n);
+  const Index nx = name == "smooth, oblong" ? 4 * n : n;
   ContactScene scene{name, {{nx, n}, side / static_cast<double>(nx), side / static_cast<double>(n)}};
   scene.gap = undeformed_gap(scene.grid, scene_bodies);
-  if (name[0] == 'B') scene.gap -= 0.4e-6 * exponential_roughness(n);
+  if (name.starts_with("rough")) scene.gap -= 0.4e-6 * exponential_roughness(n);
   scene.composite_modulus = scene_bodies.composite_modulus();
   scene.load = scene_load;
-  scene.limit_pressure = name == "B2" ? 3.6e9 : none;
+  scene.limit_pressure = name == "rough, limited" ? 3.6e9 : none;
   return scene;
 }
 

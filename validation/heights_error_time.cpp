@@ -68,7 +68,7 @@ double largest_z(const Ensemble& ensemble, const Field& expected) {
       .maxCoeff();
 }
 
-double surface_seconds(const Kernel& kernel, const Pointwise& translation) {
+Seconds surface_seconds(const Kernel& kernel, const Pointwise& translation) {
   const Synthesis synthesis(kernel.values, shape, {.translation = translation});
   return seconds_of([&] { synthesis.surface(WhiteNoise(1)); });
 }
@@ -84,22 +84,21 @@ const char* filtered(const PrescribedHeights& heights, const Kernel& kernel) {
 
 void print_row(const Named& named, const PrescribedHeights& heights, const Kernel& gaussian,
                double gaussian_seconds, int surfaces) {
-  const Stopwatch watch;
   const Translation g = heights.translation();
   const Predistortion predistortion(g);
-  const double fit = watch.seconds();
+  const Seconds fit = seconds_of([&] { Predistortion again(heights.translation()); });
   KernelRequest request;
   request.target = named.target.target();
   request.infeasible = InfeasiblePolicy::nearest;
   const Kernel kernel = predistortion.solve(request);
   const Field naive = gaussian.acf_achieved.unaryExpr([&](double r) { return predistortion.map()(r); });
-  const double surface = surface_seconds(kernel, g.apply);
-  fmt::print("{}\t{}\t{}\t{}\t{}\t{:.1e}\t{:.1e}\t{:.2f}\t{:.2f}\t{}\t{:.1e}\t{:.1e}", named.name,
-             heights.skewness, heights.kurtosis, g.family, predistortion.map().orders() - 1, fit,
-             kernel.report.seconds, surface / gaussian_seconds,
-             (fit + kernel.report.seconds + surface) / (gaussian.report.seconds + gaussian_seconds),
-             name_of(kernel.report.answer), kernel.report.error,
-             (naive - gaussian.acf_target).abs().maxCoeff());
+  const Seconds solve = seconds_of([&] { predistortion.solve(request); }),
+                surface = surface_seconds(kernel, g.apply);
+  fmt::print(
+      "{}\t{}\t{}\t{}\t{}\t{:.1e}\t{:.1e}\t{:.2f}\t{:.2f}\t{}\t{:.1e}\t{:.1e}", named.name, heights.skewness,
+      heights.kurtosis, g.family, predistortion.map().orders() - 1, fit, solve, surface / gaussian_seconds,
+      (fit + solve + surface) / (gaussian.report.seconds + gaussian_seconds), name_of(kernel.report.answer),
+      kernel.report.error, (naive - gaussian.acf_target).abs().maxCoeff());
   const Ensemble ensemble = drawn(kernel, g, surfaces);
   const Eigen::ArrayXd mean = ensemble.mean(), error = ensemble.standard_error();
   fmt::print("\t{:.4f}\t{:.4f}\t{:.4f}\t{:.4f}\t{:.1f}\t{:.1f}\t{}\n", mean(0), error(0), mean(1), error(1),
@@ -113,7 +112,9 @@ int main(int argc, char** argv) {
   print_conditions();
   const int surfaces = argc > 1 ? std::atoi(argv[1]) : 40;
   fmt::print(
-      "# target\tskewness\tkurtosis\tfamily\torders\tfit\tsolve\tsurface\twhole\tanswer\tacf_error\tnaive"
+      "# "
+      "target\tskewness\tkurtosis\tfamily\torders\tfit\tfit_spread\tsolve\tsolve_"
+      "spread\tsurface\twhole\tanswer\tacf_error\tnaive"
       "\tmean_skewness\tskewness_error\tmean_kurtosis\tkurtosis_error\tacf_z\ttarget_z\tfilter\n");
   for (const Named& named : targets) {
     KernelRequest request;

@@ -6,8 +6,8 @@
 ///     family, gamma, delta      Johnson's
 ///     of_mean … of_kurtosis     errors of the moments, the last two relative to the moment or to 1, by the trapezoidal
 ///                               rule in y, which has nothing in common with the rule of the fit
-///     fit_us, apply_ns          time of the fit, and of a height, copied and transformed
-///     orders, tail, map_ms      of the Hermite series, the variance beyond it, and its time
+///     fit, apply                seconds of the fit, and of a height, copied and transformed
+///     orders, tail, map         of the Hermite series, the variance beyond it, and its seconds
 ///     least                     the lowest correlation of the heights
 ///     exponential, gaussian     largest error over all lags of the kernel for this target, 15 samples to 10 %; with its
 ///                               answer where it is not exact
@@ -30,23 +30,24 @@ using namespace asperity;
 
 namespace {
 
-double nanoseconds_of_apply(const Translation& g) {
+Seconds seconds_of_a_height(const Translation& g) {
   const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(4096, -4, 4);
   Eigen::ArrayXd z = y;
   const std::span<double> heights(z.data(), static_cast<std::size_t>(z.size()));
-  return 1e9 / static_cast<double>(z.size()) * seconds_of([&] {
-           z = y;
-           g.apply(heights);
-         });
+  const Seconds all = seconds_of([&] {
+    z = y;
+    g.apply(heights);
+  });
+  return {all.shortest / static_cast<double>(z.size()), all.median / static_cast<double>(z.size())};
 }
 
 void print_fit(double skewness, double kurtosis, const Translation& g) {
   const Johnson j = fit_johnson(skewness, kurtosis);
   const HeightMoments m = height_moments(g);
-  const double fit = seconds_of([&] { fit_johnson(skewness, kurtosis); });
-  fmt::print("\t{}\t{:.6g}\t{:.6g}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.0f}\t{:.1f}", g.family, j.gamma,
+  const Seconds fit = seconds_of([&] { fit_johnson(skewness, kurtosis); });
+  fmt::print("\t{}\t{:.6g}\t{:.6g}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.1e}\t{:.1e}", g.family, j.gamma,
              j.delta, m.mean, m.variance - 1, (m.skewness - skewness) / std::max(1.0, skewness),
-             m.kurtosis / kurtosis - 1, 1e6 * fit, nanoseconds_of_apply(g));
+             m.kurtosis / kurtosis - 1, fit, seconds_of_a_height(g));
 }
 
 void print_kernel(const Predistortion& predistortion, Model model) {
@@ -90,10 +91,9 @@ void print_cell(double skewness, double kurtosis) {
   try {
     const Translation g = heights.translation();
     print_fit(skewness, kurtosis, g);
-    const Stopwatch watch;
     const Predistortion predistortion(g);
-    fmt::print("\t{}\t{:.0e}\t{:.1f}\t{:.4f}", predistortion.map().orders() - 1, predistortion.map().tail(),
-               1e3 * watch.seconds(), predistortion.map().lowest());
+    fmt::print("\t{}\t{:.0e}\t{:.1e}\t{:.4f}", predistortion.map().orders() - 1, predistortion.map().tail(),
+               seconds_of([&] { Predistortion again(g); }), predistortion.map().lowest());
     print_kernel(predistortion, Model::exponential);
     print_kernel(predistortion, Model::gaussian);
     fmt::print("\t{}\n", widest_filter(heights));
@@ -108,11 +108,9 @@ int main(int argc, char** argv) {
   print_conditions();
   const double largest = argc > 1 ? std::atof(argv[1]) : 50;
   fmt::print(
-      "# "
-      "skewness\tkurtosis\tfamily\tgamma\tdelta\tof_mean\tof_variance\tof_skewness\tof_kurtosis\tfit_"
-      "us\tapply_"
-      "ns\torders\ttail\t"
-      "map_ms\tleast\texponential\tgaussian\tfilter\n");
+      "# skewness\tkurtosis\tfamily\tgamma\tdelta\tof_mean\tof_variance\tof_skewness\tof_kurtosis\tfit\t"
+      "fit_spread\tapply\tapply_spread\torders\ttail\tmap\tmap_"
+      "spread\tleast\texponential\tgaussian\tfilter\n");
   for (const double skewness : {0.0, 1e-6, 0.3, 1.0, 2.0, 3.0, 5.0, 10.0, 50.0})
     for (const double distance :
          {0.01, 0.02, 0.05, 0.1, 0.3, 0.8, 1.5, 2.0, 3.0, 10.0, 30.0, 100.0, 1e3, 7e3})

@@ -94,15 +94,15 @@ int main(int argc, char** argv) {
     Values (*values)(const Field&);
   };
   const Way ways[] = {{"asperity", ours}, {"gsl", by_gsl}, {"naive", naive}};
-  fmt::print("# way\tpoints\toffset_m\tdigits_Sa\tSq\tSsk\tSku\tseconds\tratio\n");
+  fmt::print("# way\tpoints\toffset_m\tdigits_Sa\tSq\tSsk\tSku\tseconds\tseconds_spread\tratio\n");
   for (Index n = 128; n <= largest; n *= 4)
     for (const double offset : {0.0, 1e-6, 1e-3, 1.0}) {
       const Field z = rough(n, offset);
       const Values exact = reference(z);
       volatile double sink = 0;
-      const double once = seconds_of([&] { sink = z.sum(); });
+      const Seconds once = seconds_of([&] { sink = z.sum(); });
       for (const Way& way : ways) {
-        const double seconds = seconds_of([&] { sink = static_cast<double>(way.values(z)[0]); });
+        const Seconds seconds = seconds_of([&] { sink = static_cast<double>(way.values(z)[0]); });
         fmt::print("{}\t{}x{}\t{:g}{}\t{:.2e}\t{:.1f}\n", way.name, n, n, offset,
                    digits(way.values(z), exact), seconds, seconds / once);
       }

@@ -41,8 +41,8 @@ $("$programs/heights_plane" -1 | sed -n '1s/^# //p').
 Compiled with \`$(flags)\`, with $(versions), at commit $(commit).
 
 \`validation/report\` writes this page. The programs are in \`validation/\`; the top of each explains its columns. Seconds are the
-shortest of several runs. If the machine did other work, compare seconds within a table only. \`r2c\` is one real-to-complex
-transform by FFTW, timed in the same run. Everything except time and memory is the same in every run, which
+shortest of at least five runs, and +N % behind them says by how much the median run took longer. If the machine did other
+work, compare seconds within a table only. \`r2c\` is one real-to-complex transform by FFTW, timed in the same run. Everything except time and memory is the same in every run, which
 \`validation/report --same\` checks.
 END
 }
@@ -101,19 +101,27 @@ rows() {
   awk -F'\t' 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; print; next } '"${2:-1}" "$results/$1.tsv"
 }
 
-# table TABLE [CONDITION [COLUMN...]]
+# table TABLE [CONDITION [COLUMN...]]: COLUMN_spread stands behind COLUMN, in per cent.
 table() {
   {
     echo
     rows "$1" "${2:-1}" | awk -F'\t' -v columns="${*:3}" '
       NR == 1 {
         wanted = split(columns, name, " ")
-        for (i = 1; i <= NF; ++i) { c[$i] = i; if (!columns) name[++wanted] = $i }
+        for (i = 1; i <= NF; ++i) { c[$i] = i; if (!columns && $i !~ /_spread$/) name[++wanted] = $i }
         for (k = 1; k <= wanted; ++k) { line = line "| " name[k] " "; rule = rule "|---" }
         print line "|\n" rule "|"
         next
       }
-      { for (k = 1; k <= wanted; ++k) printf "| %s ", $c[name[k]]; print "|" }' | sed '1s/_/ /g'
+      {
+        for (k = 1; k <= wanted; ++k) {
+          value = $c[name[k]]
+          spread = name[k] "_spread"
+          if (spread in c && $c[spread] != "" && value > 0) value = value sprintf(" +%.0f %%", 100 * $c[spread])
+          printf "| %s ", value
+        }
+        print "|"
+      }' | sed '1s/_/ /g'
   } >>"$page"
 }
 

@@ -1,22 +1,21 @@
 # Compares the numbers of two runs of validation/report.
 
-# Columns with times or memory, by table; all other columns are the same in each run.
+# Columns with times or memory, by table, each with its _spread; all other columns are the same in each run.
 measured='
 acf_error_time-1 seconds ratio
 acf_error_time-2 seconds ratio
 acf_error_time-3 seconds
 chain_error_time-1 setup seconds draw contact stress
-contact_grid_error-2 seconds coarser_seconds share
+contact_grid_error-2 share
 contact_error_time-1 setup_seconds seconds over_operators convolution_over_r2c
 contact_error_time-2 setup_seconds seconds over_operators
 heights_error_time-1 fit solve surface whole
-heights_plane-1 fit_us apply_ns map_ms
+heights_plane-1 fit apply map
 moments_error_time-1 seconds ratio
-ranks_time-1 contact whole ratio MB share
+ranks_time-1 seconds ratio MB share
 scaling-1 seconds transforms MB doubles
 scaling-2 exponent time memory largest hours
 scene_time-1 kernel draw contact stress sum share
-statistics_coverage-4 transform moments ACF N_eff
 stress_edge-2 seconds
 stress_error_time-1 setup_seconds seconds ratio_to_padded_r2c
 stress_error_time-2 seconds_full seconds_adapted
@@ -31,7 +30,7 @@ tool_time-1 tool library ratio fields
 # lasting FOLDER TABLE: the table without these columns.
 lasting() {
   awk -F'\t' -v measured="$(sed -n "s/^$2 //p" <<<"$measured")" '
-    BEGIN { split(measured, names, " "); for (k in names) left_out[names[k]] }
+    BEGIN { split(measured, names, " "); for (k in names) left_out[names[k]] = left_out[names[k] "_spread"] = 1 }
     NR == 1 { for (i = 1; i <= NF; ++i) if (!($i in left_out)) kept[++n] = i }
     { for (k = 1; k <= n; ++k) printf "%s%s", $kept[k], k < n ? "\t" : "\n" }' "$1/results/$2.tsv"
 }

@@ -8,16 +8,16 @@
 ///     moments     of its heights
 ///     acf         to lags of half the surface
 ///     psd         with Hann's windows
-///     smooth      contact of two spheres, scene A of contact_scenes.hpp, to ε = 1e-8
-///     rough       the same with roughness, scene B
+///     smooth      contact of two smooth spheres of contact_scenes.hpp, to ε = 1e-8
+///     rough       the same with roughness
 ///     volume      of stress below the smooth contact: the von Mises stress of eight layers in full, whose rows
 ///                 go to a sink that throws them away, as to a file
 ///     maximum     the search for the largest von Mises stress below it
-/// `seconds` with their set-up, FFTW's plans apart, the fastest of several; `transforms` the same in real
+/// `seconds` with their set-up, FFTW's plans apart; `transforms` the same in real
 /// transforms of (2N)² points, one there or back, on one thread; `MB` what a process takes for it at its peak
 /// beyond what it has already, plans and influences included, its input not (2 MB are the program's own
-/// pages); `doubles` the same in doubles a cell. What takes more than 10 s is timed once, plans and all. N =
-/// 4096 is left out where it would take more than two minutes, or three quarters of the memory.
+/// pages); `doubles` the same in doubles a cell. N = 4096 is left out where it would take more than half a
+/// minute, or three quarters of the memory.
 ///
 /// Second table: what doubling N takes. `exponent` e of seconds ~ (N² log N)^e, fitted from N = 256 on (from
 /// LARGEST_N/2 if that is less); `time` and `memory` of the largest grid over those of one half as wide;
@@ -48,7 +48,7 @@ using namespace asperity;
 namespace {
 
 constexpr Index always = 2048;
-constexpr double long_run = 10, longest = 120;
+constexpr double longest = 30;
 
 using Work = std::function<void()>;
 /// What a stage does on N × N cells on so many threads, its input made.
@@ -99,8 +99,8 @@ Work contact(const char* name, Index n, int threads) {
         {.load = s.load, .limit_pressure = s.limit_pressure, .tolerance = 1e-8, .threads = threads});
   };
 }
-Work smooth(Index n, int threads) { return contact("A", n, threads); }
-Work rough(Index n, int threads) { return contact("B", n, threads); }
+Work smooth(Index n, int threads) { return contact("smooth", n, threads); }
+Work rough(Index n, int threads) { return contact("rough", n, threads); }
 
 Work volume(Index n, int threads) {
   return [n, threads, p = hertz_pressure(square(n))] {
@@ -147,7 +147,8 @@ constexpr Named stages[] = {{"kernel", kernel, false},
 
 struct Point {
   Index n = 0;
-  double seconds = 0, megabytes = 0;
+  Seconds seconds;
+  double megabytes = 0;
 };
 
 double unit_of(Index n) {
@@ -187,9 +188,8 @@ double transform_seconds(Index n) {
 }
 
 Point measured(const Work& work, Index n) {
-  const Stopwatch watch;
-  const double megabytes = peak_memory(work), once = watch.seconds();
-  return {n, once > long_run ? once : seconds_of(work), megabytes};
+  const double megabytes = peak_memory(work);
+  return {n, seconds_of(work), megabytes};
 }
 
 // Whether the next grid, four times as large, is small enough for this machine.
@@ -219,7 +219,7 @@ int main(int argc, char** argv) {
   const Index largest = argc > 1 ? std::atol(argv[1]) : 4096;
   const Index fitted_from = std::min<Index>(256, largest / 2);
   std::string rows;
-  fmt::print("# stage\tN\tthreads\tseconds\ttransforms\tMB\tdoubles\n");
+  fmt::print("# stage\tN\tthreads\tseconds\tseconds_spread\ttransforms\tMB\tdoubles\n");
   for (const Named& stage : stages)
     for (int threads = 1; threads <= (stage.threaded ? 2 : 1); ++threads)
       rows += doubled(stage, threads, grow(stage, threads, largest), fitted_from);

@@ -13,7 +13,7 @@
 ///     section         the plane y = 0 in place of the volume
 ///     maximum         the place of the largest von Mises stress in place of the volume
 ///     no stress
-/// Seconds of each part, the fastest of several, one thread; `share` is the scene's sum over that of the
+/// Seconds of each part, one thread; `share` is the scene's sum over that of the
 /// whole.
 #include <cmath>
 #include <cstdlib>
@@ -112,7 +112,7 @@ void compute(Asked asked, const Grid& grid, const Field& pressure, Field& out) {
 
 struct Surface {
   Field heights;
-  double kernel = 0, draw = 0;  ///< seconds
+  Seconds kernel, draw;
 };
 
 Surface drawn(const Grid& grid) {
@@ -123,7 +123,7 @@ Surface drawn(const Grid& grid) {
 
 struct Pressed {
   Field pressure;
-  double contact = 0;  ///< seconds
+  Seconds contact;
 };
 
 Pressed pressed(const Scene& scene, const Grid& grid, const Field& heights) {
@@ -144,12 +144,12 @@ void print_rows(Index n) {
     if (made) at->second = pressed(scene, grid, surface.heights);
     const Pressed& contact = at->second;
     Field out(32 * n, n);
-    const double draw = scene.rough ? surface.draw : 0,
-                 solve = scene.rough && !scene.has_kernel ? surface.kernel : 0,
-                 stress = scene.asked == Asked::nothing
-                              ? 0
-                              : seconds_of([&] { compute(scene.asked, grid, contact.pressure, out); }),
-                 sum = solve + draw + contact.contact + stress;
+    const Seconds draw = scene.rough ? surface.draw : Seconds{},
+                  solve = scene.rough && !scene.has_kernel ? surface.kernel : Seconds{},
+                  stress = scene.asked == Asked::nothing
+                               ? Seconds{}
+                               : seconds_of([&] { compute(scene.asked, grid, contact.pressure, out); }),
+                  sum = solve + draw + contact.contact + stress;
     if (whole == 0) whole = sum;
     fmt::print("{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2f}\n", scene.name, n, solve, draw,
                contact.contact, stress, sum, sum / whole);
@@ -162,7 +162,9 @@ void print_rows(Index n) {
 int main(int argc, char** argv) {
   print_conditions();
   const Index n = argc > 1 ? std::atol(argv[1]) : 256;
-  fmt::print("# scene\tN\tkernel\tdraw\tcontact\tstress\tsum\tshare\n");
+  fmt::print(
+      "# scene\tN\tkernel\tkernel_spread\tdraw\tdraw_spread\tcontact\tcontact_spread\t"
+      "stress\tstress_spread\tsum\tsum_spread\tshare\n");
   print_rows(n);
   return 0;
 }

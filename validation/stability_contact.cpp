@@ -47,9 +47,7 @@ bool finite(const Contact& c) {
          std::isfinite(c.approach);
 }
 
-std::string outcome_of(const Contact& c) {
-  return c.converged ? "converged" : "not converged: " + c.reason;
-}
+std::string outcome_of(const Contact& c) { return c.converged ? "converged" : "not converged: " + c.reason; }
 
 // Bounds exact, load to 1e-12, and the residual.
 Finding residual(const Pressed& problem) {
@@ -61,22 +59,21 @@ Finding residual(const Pressed& problem) {
 
 void loads(const StabilityTable& table) {
   for (double load : {1e-5, 1e-3, 0.1, 10.0, 1e3, 1e5})
-    for (const char* scene : {"A", "B"})
-      table.answered(fmt::format("{} spheres, {:g} N", *scene == 'A' ? "smooth" : "rough", load),
-                     "loads over ten decades", [&] {
-                       Pressed p(contact_scene(scene, 64));
-                       p.load = load;
-                       return residual(p);
-                     });
+    for (const char* scene : {"smooth", "rough"})
+      table.answered(fmt::format("{} spheres, {:g} N", scene, load), "loads over ten decades", [&] {
+        Pressed p(contact_scene(scene, 64));
+        p.load = load;
+        return residual(p);
+      });
   for (double load : {1e-300, 1e100})
     table.answered(fmt::format("smooth spheres, {:g} N", load), "far beyond any load", [&] {
-      Pressed p(contact_scene("A", 64));
+      Pressed p(contact_scene("smooth", 64));
       p.load = load;
       return residual(p);
     });
   for (double load : {0.0, -1.0, 1e305, infinity, nan})
     table.refused(fmt::format("a load of {:g} N", load), "no load", [&] {
-      Pressed p(contact_scene("A", 32));
+      Pressed p(contact_scene("smooth", 32));
       p.load = load;
       p.contact();
     });
@@ -86,13 +83,13 @@ void limits(const StabilityTable& table) {
   for (double factor : {1.0, 1.001, 1.1, 2.0, 5.0, 20.0, 1e6, infinity})
     table.answered(fmt::format("rough spheres, limit {:g} x mean pressure", factor),
                    factor < 2 ? "nearly every cell at its limit" : "limit pressure over decades", [&] {
-                     Pressed p(contact_scene("B", 64));
+                     Pressed p(contact_scene("rough", 64));
                      p.limit = factor * p.mean_pressure();
                      return residual(p);
                    });
   for (double factor : {0.999, 0.0, -1.0, nan})
     table.refused(fmt::format("limit {:g} x mean pressure", factor), "nothing carries the load", [&] {
-      Pressed p(contact_scene("B", 64));
+      Pressed p(contact_scene("rough", 64));
       p.limit = factor * p.mean_pressure();
       p.contact();
     });
@@ -172,7 +169,7 @@ void heights(const StabilityTable& table) {
   for (double offset : {0.4, 1e3})
     table.answered(fmt::format("rough spheres, offset {:g} m", offset),
                    offset < 1 ? "offset of 1e6 rms" : "offset of 2.5e9 rms", [&] {
-                     Pressed p(contact_scene("B", 64));
+                     Pressed p(contact_scene("rough", 64));
                      const Field plain = p.contact().pressure;
                      p.gap += offset;
                      const Contact c = p.contact();
@@ -183,7 +180,7 @@ void heights(const StabilityTable& table) {
                    });
   for (double height : {infinity, -infinity, nan})
     table.refused(fmt::format("a height of {}", height), "no height", [&] {
-      Pressed p(contact_scene("B", 32));
+      Pressed p(contact_scene("rough", 32));
       p.gap(3, 4) = height;
       p.contact();
     });

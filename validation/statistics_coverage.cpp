@@ -1,8 +1,7 @@
 /// Coverage of the 95 % intervals of the moments and of the correlation lengths against the correlation
-/// length, false alarms of the test of a prescription, and the cost of the statistics in transforms of the
-/// same size.
+/// length, and false alarms of the test of a prescription.
 ///
-///     statistics_coverage [FIELDS [TABLE]]     fields a row, 400 unless given; moments, lengths, alarms or cost alone
+///     statistics_coverage [FIELDS [TABLE]]     fields a row, 400 unless given; moments, lengths or alarms alone
 ///
 /// First table: how many of FIELDS fields of 128 × 128 points, in per cent, have an interval
 /// (asperity-stats) that holds the truth, with the `correlation` known or estimated
@@ -17,8 +16,6 @@
 /// Third table: surfaces, or ensembles of them, that are as prescribed and yet fail at a stated 1 and 5 %, in
 /// per cent of FIELDS; with a third of the points missing; of Gaussian heights, with errors from theory, and of
 /// heights of this skewness and kurtosis, with errors from surfaces drawn anew for every 50 tests.
-///
-/// Fourth table: seconds of one real transform, and the statistics in these; one thread.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -229,22 +226,6 @@ void false_alarms(const Alarms& a, int ensembles) {
              100.0 * of_five / ensembles);
 }
 
-void cost(Index n) {
-  std::mt19937_64 generator(1);
-  const Grid grid{{n, n}, 1, 1, false};
-  const Field z = white_noise(grid.shape, generator);
-  const RealTransform2D transform(grid.shape);
-  AlignedVector<double> in(z.data(), z.data() + z.size());
-  AlignedVector<Complex> out(static_cast<std::size_t>(transform.spectrum_size()));
-  const AcfParameters half{.max_lag = default_max_lag(grid)};
-  const LagField acf = estimate_autocorrelation(z, grid, half);
-
-  const double one = seconds_of([&] { transform.forward(in.data(), out.data()); });
-  fmt::print("{}\t{:.2e}\t{:.2f}\t{:.2f}\t{:.2f}\n", n, one, seconds_of([&] { moments(z); }) / one,
-             seconds_of([&] { estimate_autocorrelation(z, grid, half); }) / one,
-             seconds_of([&] { EffectiveSampleSize::of_estimate(acf, grid); }) / one);
-}
-
 void coverage_of_moments(const Grid& grid, int fields) {
   fmt::print("# field\twidth\tN_eff\tcorrelation\tmean\tSa\tSq\tSsk\tSku\n");
   for (Index width : {1, 4, 8, 16, 32})
@@ -292,7 +273,4 @@ int main(int argc, char** argv) {
   if (part == "" || part == "moments") coverage_of_moments(grid, fields);
   if (part == "" || part == "lengths") coverage_of_lengths(grid, fields);
   if (part == "" || part == "alarms") all_false_alarms(fields);
-  if (part != "" && part != "cost") return 0;
-  fmt::print("\n# n\ttransform\tmoments\tACF\tN_eff\n");
-  for (Index n : {128, 256, 512, 1024}) cost(n);
 }

@@ -49,7 +49,7 @@ double largest_error(const StressSolver& solver, const Friction& friction, Stres
   return error;
 }
 
-double layer_seconds(const StressSolver& solver, StressSolver::Workspace& work) {
+Seconds layer_seconds(const StressSolver& solver, StressSolver::Workspace& work) {
   std::vector<double> row(static_cast<std::size_t>(solver.shape().ny));
   return seconds_of(
       [&] { solver.layer(depth, stress::all, work, [&](Index, const StressRow& s) { von_mises(s, row); }); });
@@ -60,15 +60,17 @@ void discretisation(const Case& c, Index largest) {
   for (Index n = 32; n <= largest; n *= 2) {
     const Grid grid = square(n);
     const Field pressure = hertz_pressure(grid);
-    const Stopwatch clock;
     const StressSolver solver({grid, pressure, poisson, c.friction});
     StressSolver::Workspace work;
-    const double setup = clock.seconds();
-    const double error = largest_error(solver, c.friction, work), seconds = layer_seconds(solver, work);
+    const Seconds setup = seconds_of([&] {
+      StressSolver({grid, pressure, poisson, c.friction});
+    }),
+                  seconds = layer_seconds(solver, work);
+    const double error = largest_error(solver, c.friction, work);
     const StressMaximum top = maximum_stress(solver);
     fmt::print("{}\t{}\t{:.2e}\t{}\t{:.1e}\t{:.1e}\t{}\t{:.2e}\t{:.2e}\t{:.1f}\n", c.name, n, error,
-               coarse > 0 ? fmt::format("{:.2f}", std::log2(coarse / error)) : "-",
-               top.value / c.largest - 1, top.depth / c.at - 1, top.layers, setup, seconds,
+               coarse > 0 ? fmt::format("{:.2f}", std::log2(coarse / error)) : "-", top.value / c.largest - 1,
+               top.depth / c.at - 1, top.layers, setup, seconds,
                seconds / real_transform_seconds({2 * n, 2 * n}));
     coarse = error;
   }
@@ -107,9 +109,9 @@ void layers_and_spacing(const Case& c, Index n) {
     for (Index layers : {8, 16, 32, 64}) {
       const std::vector<double> z = depths(layers, geometric, grid);
       const Found found = largest_in_volume(full, z);
-      const double seconds = seconds_of([&] { largest_in_volume(full, z); }),
-                   fast = seconds_of([&] { largest_in_volume(adapted, z); });
-      fmt::print("{}\t{}\t{}\t{:.1e}\t{:.1e}\t{:.3f}\t{:.3f}\n", c.name, layers,
+      const Seconds seconds = seconds_of([&] { largest_in_volume(full, z); }),
+                    fast = seconds_of([&] { largest_in_volume(adapted, z); });
+      fmt::print("{}\t{}\t{}\t{:.1e}\t{:.1e}\t{:.2e}\t{:.2e}\n", c.name, layers,
                  geometric ? "geometric" : "uniform", found.von_mises / c.largest - 1, found.depth / c.at - 1,
                  seconds, fast);
     }
@@ -121,9 +123,12 @@ int main(int argc, char** argv) {
   print_conditions();
   const Index largest = argc > 1 ? std::atol(argv[1]) : 512;
   fmt::print(
-      "# case\tn\terror\torder\tmaximum\tdepth\tlayers\tsetup_seconds\tseconds\tratio_to_padded_r2c\n");
+      "# case\tn\terror\torder\tmaximum\tdepth\tlayers\tsetup_seconds\tsetup_seconds_spread\tseconds\t"
+      "seconds_spread\tratio_to_padded_r2c\n");
   for (const Case& c : {resting, sliding}) discretisation(c, largest);
-  fmt::print("# case\tlayers\tspacing\tmaximum\tdepth\tseconds_full\tseconds_adapted\n");
+  fmt::print(
+      "# case\tlayers\tspacing\tmaximum\tdepth\tseconds_full\tseconds_full_spread\tseconds_adapted\t"
+      "seconds_adapted_spread\n");
   for (const Case& c : {resting, sliding}) layers_and_spacing(c, std::min<Index>(largest, 128));
   print_stability();
 }

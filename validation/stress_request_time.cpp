@@ -5,14 +5,13 @@
 /// Below a Hertz contact of unit radius on n × n cells of a square three radii wide, ν = 0.3, layers at equal
 /// steps from the surface to 1.2 radii, everything from the pressure on: transforms planned, influences and
 /// pressure transformed, all values on the full grid. `cpu` is processor time of all threads, `wall` what
-/// passed, both of the fastest of five calls, `first` the processor time of the first, which pays for plans
-/// and fresh memory. `MB` is what the process grew by at its peak beyond the values kept. `r2c` is cpu a
+/// passed, `first` the processor time of the first call, which pays for plans and fresh memory. `MB` is what a
+/// process takes at its peak beyond its pressure and the values kept. `r2c` is cpu a
 /// layer over one real-to-complex transform of the padded square; `error` the largest difference from the
 /// layers in full, over the largest pressure.
 #include <cstdlib>
 #include <ctime>
 #include <functional>
-#include <sys/resource.h>
 
 #include <fmt/format.h>
 
@@ -34,12 +33,6 @@ double processor_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024e-6;
-}
-
 struct Scene {
   Grid grid;
   Field pressure;
@@ -55,20 +48,23 @@ struct Scene {
 void report(
     const Scene& scene, const std::string& request, const std::function<void()>& call,
     const std::function<double()>& error = [] { return 0.0; }) {
-  const double before = peak_megabytes();
-  double first = 0, cpu = 1e9, wall = 1e9;
-  for (int i = 0; i < 5; ++i) {
-    const Stopwatch watch;
+  auto used = [&] {
     const double start = processor_seconds();
     call();
-    const double used = processor_seconds() - start;
-    cpu = std::min(cpu, used), wall = std::min(wall, watch.seconds());
-    if (i == 0) first = used;
-  }
+    return processor_seconds() - start;
+  };
+  const double megabytes = peak_memory(call), first = used();
+  Runs processor, clock;
+  repeat([&] {
+    const Stopwatch watch;
+    processor.add(used());
+    clock.add(watch.seconds());
+  });
+  const Seconds cpu = processor.seconds(), wall = clock.seconds();
   const Index n = scene.grid.shape.nx;
   const auto layers = static_cast<double>(scene.depths.size());
   fmt::print("{}\t{}\t{}\t{:.3f}\t{:.3f}\t{:.3f}\t{:.1f}\t{:.1f}\t{:.1e}\n", request, n, layers, first, cpu,
-             wall, peak_megabytes() - before, cpu / layers / real_transform_seconds({2 * n, 2 * n}), error());
+             wall, megabytes, cpu / layers / real_transform_seconds({2 * n, 2 * n}), error());
 }
 
 // Six components, von Mises kept.
@@ -131,7 +127,7 @@ void report_all(Index n, int layers) {
 
 int main(int argc, char** argv) {
   print_conditions();
-  fmt::print("# request\tn\tlayers\tfirst\tcpu\twall\tMB\tr2c\terror\n");
+  fmt::print("# request\tn\tlayers\tfirst\tcpu\tcpu_spread\twall\twall_spread\tMB\tr2c\terror\n");
   report_all(128, 32);
   if (argc < 2 || std::atol(argv[1]) >= 512) report_all(512, 64);
 }

@@ -46,11 +46,11 @@ Synthesis synthesis(Index size, Shape shape, int threads, Summation summation = 
   return Synthesis(kernel(size), shape, {false, summation, threads});
 }
 
-double drawn(const Synthesis& synthesis) {
+Seconds drawn(const Synthesis& synthesis) {
   return seconds_of([&] { synthesis.surface(WhiteNoise(1), throw_away); });
 }
 
-double noise_seconds(Index n) {
+Seconds noise_seconds(Index n) {
   WhiteNoise noise(1);
   std::vector<double> row(static_cast<std::size_t>(n));
   return seconds_of([&] {
@@ -58,7 +58,7 @@ double noise_seconds(Index n) {
   });
 }
 
-double padded_transform(Index n) {
+Seconds padded_transform(Index n) {
   const Index side = fast_length(n, 2);
   const RealTransform2D transform({side, side});
   AlignedVector<double> field(static_cast<std::size_t>(side * side));
@@ -77,15 +77,15 @@ void print_memory(Index size, Shape shape) {
 }
 
 void print_cost(Index n, Index size) {
-  const double noise = noise_seconds(n + size - 1), transforms = padded_transform(n + size - 1),
-               surface = drawn(synthesis(size, {n, n}, 1));
+  const Seconds noise = noise_seconds(n + size - 1), transforms = padded_transform(n + size - 1),
+                surface = drawn(synthesis(size, {n, n}, 1));
   fmt::print("{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2f}\n", n, size, noise, transforms, surface,
              drawn(synthesis(size, {n, n}, 2)), (surface - noise) / transforms);
 }
 
 void print_crossing(Index n, Index size) {
-  const double direct = drawn(synthesis(size, {n, n}, 1, Summation::direct)),
-               fast = drawn(synthesis(size, {n, n}, 1));
+  const Seconds direct = drawn(synthesis(size, {n, n}, 1, Summation::direct)),
+                fast = drawn(synthesis(size, {n, n}, 1));
   const SynthesisCost model = synthesis_cost({size, size}, {n, n});
   fmt::print("{}\t{}\t{:.2e}\t{:.2e}\t{:.2f}\t{:.2f}\n", n, size, direct, fast, direct / fast,
              model.direct / model.transform);
@@ -110,14 +110,16 @@ int main(int argc, char** argv) {
   fmt::print("# N\tM\tK\tpeak\tworking_set\n");
   for (Index size : {15, 61, 253}) print_memory(size, {largest, largest});
   if (largest >= 4096) print_memory(61, {65536, 4096});
-  fmt::print("\n# N\tK\tnoise\ttransforms\tsurface\tsurface_2\tratio\n");
+  fmt::print(
+      "\n# N\tK\tnoise\tnoise_spread\ttransforms\ttransforms_spread\t"
+      "surface\tsurface_spread\tsurface_2\tsurface_2_spread\tratio\n");
   for (Index size : {15, 61, 253})
     for (Index n = 256; n <= largest; n *= 2) print_cost(n, size);
-  fmt::print("\n# N\tK\tdirect\ttransform\tratio\tmodel\n");
+  fmt::print("\n# N\tK\tdirect\tdirect_spread\ttransform\ttransform_spread\tratio\tmodel\n");
   for (Index n : {64, 128, 512})
     for (Index size : {1, 3, 5, 7, 9, 13, 17, 25})
       if (n <= largest) print_crossing(n, size);
-  fmt::print("\n# N\tc\tK\terror\tkernel\tsurface\n");
+  fmt::print("\n# N\tc\tK\terror\tkernel\tkernel_spread\tsurface\tsurface_spread\n");
   for (double c : {3.0, 4.6, 6.0, 7.0, 9.0, 11.5, 14.0}) print_exactness(std::min<Index>(largest, 512), c);
   return 0;
 }

@@ -14,7 +14,7 @@
 ///     psd               the power spectral density, written as a dataset
 ///     plane             asperity-filter --remove-form plane
 ///     matrix            asperity-convert to npy: no work
-/// tool, library   seconds, the fastest of several; ratio: tool over library
+/// tool, library   seconds; ratio: tool over library
 /// fields          peak memory of the tool beyond that of `version`, in fields of N × N doubles
 #include <cstdlib>
 #include <fcntl.h>
@@ -43,7 +43,8 @@ namespace {
 using Words = std::vector<std::string>;
 
 struct Cost {
-  double seconds = NAN, megabytes = NAN;
+  Seconds seconds;
+  double megabytes = NAN;
 };
 
 // One run, its output thrown away.
@@ -64,17 +65,19 @@ Cost run(Words words) {
   rusage used{};
   if (child < 0 || ::wait4(child, &status, 0, &used) != child || status != 0)
     throw std::runtime_error(words[0] + " fails");
-  return {watch.seconds(), static_cast<double>(used.ru_maxrss) * 1024e-6};
+  const double seconds = watch.seconds();
+  return {{seconds, seconds}, static_cast<double>(used.ru_maxrss) * 1024e-6};
 }
 
-Cost fastest_run(const Words& words) {
-  Cost out = run(words);
-  const Stopwatch total;
-  for (int i = 1; i < batches() && total.seconds() < 4; ++i) {
-    const Cost next = run(words);
-    out = {std::min(out.seconds, next.seconds), std::max(out.megabytes, next.megabytes)};
-  }
-  return out;
+Cost several_runs(const Words& words) {
+  Runs runs;
+  double megabytes = 0;
+  repeat([&] {
+    const Cost one = run(words);
+    runs.add(one.seconds);
+    megabytes = std::max(megabytes, one.megabytes);
+  });
+  return {runs.seconds(), megabytes};
 }
 
 struct Work {
@@ -137,12 +140,12 @@ void print(Index n, const std::string& folder) {
   for (const Work& work : all) {
     Words words = work.tool;
     if (work.name != "version" && work.name != "matrix") words.insert(words.end(), {"--threads", "1"});
-    tools.push_back(fastest_run(words));
+    tools.push_back(several_runs(words));
   }
   const Surface surface = surface_in(file);
   const double field = static_cast<double>(n * n) * sizeof(double) / 1e6;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const double library = all[k].alone ? seconds_of([&] { all[k].alone(surface); }) : NAN;
+    const Seconds library = all[k].alone ? seconds_of([&] { all[k].alone(surface); }) : Seconds{NAN, NAN};
     fmt::print("{}\t{}\t{:.2g}\t{:.2g}\t{:.2g}\t{:.2g}\n", all[k].name, n, tools[k].seconds, library,
                tools[k].seconds / library, (tools[k].megabytes - tools[0].megabytes) / field);
     std::fflush(stdout);
@@ -171,7 +174,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / fmt::format("asperity-tool-time-{}", ::getpid());
   std::filesystem::create_directory(folder);
-  fmt::print("# case\tN\ttool\tlibrary\tratio\tfields\n");
+  fmt::print("# case\tN\ttool\ttool_spread\tlibrary\tlibrary_spread\tratio\tfields\n");
   if (argc < 2) {
     for (const Index n : {512, 2048}) print_apart(n, folder);
   } else {

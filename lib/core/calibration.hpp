@@ -60,10 +60,11 @@ inline constexpr Index single_cells = 1 << 16;  ///< from which single precision
 inline constexpr int updates_of_gap = 50;       ///< by recurrence, before g is recomputed
 inline constexpr double far_from_datum = 100;   ///< displacements: round-off of g is then 1e-14 of these
 
-// Ragged free sets on fine grids. Convolutions of eight contacts to ε = 1e-8, 178 in total: scenes B and B2
-// at 512² and 1024², C10 at 512², three periodic self-affine surfaces of H = 0.8 at 512².
+// Ragged free sets on fine grids. Convolutions of eight contacts to ε = 1e-8, 178 in total: of
+// validation/contact_scenes.hpp rough spheres with and without a limit pressure at 512² and 1024² and a tenth
+// of a periodic surface at 512², and three periodic self-affine surfaces of H = 0.8 at 512².
 inline constexpr Index fine_cells = 128 * 128;
-// TwoLevel::raggedness(); smooth spheres have 0.9, scene B has 4…16. For blocks 3: 178, but longer times
+// TwoLevel::raggedness(); smooth spheres have 0.9, rough ones 4…16. For blocks 3: 178, but longer times
 // where no wave is shorter than 30 cells.
 inline constexpr double ragged_to_relax = 3;     ///< 2: 177, 5: 188
 inline constexpr double ragged_for_blocks = 5;   ///< 8: 188

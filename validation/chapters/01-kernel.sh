@@ -9,11 +9,11 @@ picture kernel "Error over all lags against seconds, n x n lags" <<'END'
 set ylabel 'largest error over all lags'
 lags = "7x7 15x15 31x31 63x63 127x127"
 set key title 'lags'
-plot for [i=1:words(lags)] '@acf_error_time-1.tsv' using 7:(strcol(2) eq 'symmetric' && strcol(3) eq word(lags, i) ? $5 : NaN) \
+plot for [i=1:words(lags)] '@acf_error_time-1.tsv' using (column('seconds')):(strcol(2) eq 'symmetric' && strcol(3) eq word(lags, i) ? $5 : NaN) \
        with linespoints linetype i pointtype 7 title word(lags, i), \
-     for [i=1:words(lags)] '' using 7:(strcol(2) eq 'oriented' && strcol(3) eq word(lags, i) ? $5 : NaN) \
+     for [i=1:words(lags)] '' using (column('seconds')):(strcol(2) eq 'oriented' && strcol(3) eq word(lags, i) ? $5 : NaN) \
        with linespoints linetype i pointtype 6 dashtype 2 title (i == 1 ? 'oriented' : ''), \
-     '' using 7:(strcol(2) eq 'patir' ? $5 : NaN) with points pointtype 2 linecolor rgb 'black' title 'Patir'
+     '' using (column('seconds')):(strcol(2) eq 'patir' ? $5 : NaN) with points pointtype 2 linecolor rgb 'black' title 'Patir'
 END
 table acf_error_time-1 '$c["c"] == 4.6 || $c["c"] == 11.5' formulation lags c error mirrored seconds residual steps products ratio
 claim "Every answer called exact has a residual of at most 1e-10." acf_error_time-1 '$c["answer"] == "exact"' '$c["residual"] <= 1e-10'

@@ -8,8 +8,8 @@ in each surface.
 END
 picture surface "Error of the autocorrelation against seconds" <<'END'
 set ylabel 'largest error over all lags'
-plot '@synthesis_time-4.tsv' using 5:4 with linespoints pointtype 7 title 'kernel, once', \
-     '' using 6:4 with linespoints pointtype 6 title 'each surface'
+plot '@synthesis_time-4.tsv' using (column('kernel')):4 with linespoints pointtype 7 title 'kernel, once', \
+     '' using (column('surface')):4 with linespoints pointtype 6 title 'each surface'
 END
 table synthesis_time-4
 text <<'END'

@@ -115,11 +115,3 @@ END
 table prescription_power-2
 claim "Of shaped surfaces as prescribed at most 1 % differ, within four standard errors of the count." prescription_power-2 1 \
  '$c["none"] <= 1 + 4 * sqrt(99 / $c["tests"])'
-text <<'END'
-The cost of the statistics in real transforms of the same size:
-END
-table statistics_coverage-4
-text <<'END'
-The autocorrelation needs a padded transform and its inverse, some four times a transform of the field. N_eff costs the same
-again, because its sums run over powers of the correlation at all lags.
-END

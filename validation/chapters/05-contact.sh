@@ -7,7 +7,7 @@ END
 picture contact-grid "Error of Hertz's contact against seconds" <<'END'
 set ylabel 'relative error'
 names = "p0 approach area"
-plot for [t=1:2] for [k=1:3] '@contact_error_time-1.tsv' using ($10):($3 == t ? abs(column(3 + k)) : NaN) \
+plot for [t=1:2] for [k=1:3] '@contact_error_time-1.tsv' using (column('seconds')):($3 == t ? abs(column(3 + k)) : NaN) \
   with linespoints linetype k pointtype (t == 1 ? 7 : 6) dashtype t title word(names, k).', '.t.(t == 1 ? ' thread' : ' threads')
 END
 table contact_error_time-1
@@ -21,8 +21,8 @@ counts whole cells of a circle, so its error is a part of a cell on the rim. Set
 an eighth on a large one; for many surfaces on one grid the influence coefficients are computed once.
 
 Six scenes to a tolerance, beside Polonsky and Keer's conjugate gradients and the projected gradient, which apply the same
-convolution: smooth (A), rough (B), rough with a limit pressure (B2), periodic with a tenth and nine tenths in contact
-(C10, C90), and A on elongated cells (D).
+convolution: smooth and rough spheres, rough ones with a limit pressure, a periodic surface with a tenth and with nine
+tenths (most) in contact, and the smooth spheres on oblong cells.
 END
 picture contact-tolerance "Residual against seconds, scene by scene" <<'END'
 set terminal pngcairo size 860,560
@@ -30,13 +30,13 @@ set multiplot layout 2,3 margins 0.08,0.98,0.1,0.9 spacing 0.06,0.14
 unset key
 set xlabel 'seconds' offset 0,0.5
 methods = "guarded polonsky-keer projected-gradient"
-scenes = "A B B2 C10 C90 D"
+array scenes[6] = ['smooth', 'rough', 'rough, limited', 'periodic, tenth', 'periodic, most', 'smooth, oblong']
 do for [s=1:6] {
-  set title word(scenes, s) offset 0,-0.5
+  set title scenes[s] offset 0,-0.5
   set ylabel (s % 3 == 1 ? 'residual' : '') offset 1
   if (s == 1) { set key at screen 0.5,0.985 center top maxrows 1 } else { unset key }
   plot for [m=1:3] '@contact_error_time-2.tsv' \
-    using 10:(strcol(1) eq word(scenes, s) && strcol(3) eq word(methods, m) ? $12 : NaN) \
+    using (column('seconds')):(strcol(1) eq scenes[s] && strcol(3) eq word(methods, m) ? column('residual') : NaN) \
     with linespoints pointtype 7 title word(methods, m)
 }
 unset multiplot
@@ -48,7 +48,7 @@ claim "At a tolerance of 1e-4 the error of the area is at most 1e-2, of the grea
 text <<'END'
 Polonsky and Keer's conjugate gradients lose their conjugacy each time a cell enters or leaves the contact, on rough surfaces at
 nearly every step. At 256 × 256 cells and 1e-8 they need four to twenty-two times the convolutions of Asperity's solver, most on rough
-spheres. On the smooth scenes A and D they never reach 1e-10 within 600. Cells that come and go do not disturb the projected
+spheres. On smooth spheres they never reach 1e-10 within 600. Cells that come and go do not disturb the projected
 gradient, and it overtakes them where there are many such cells, although it has no memory. Four more digits cost the solver a half
 to four fifths of the first four: most of the time goes into finding the cells in contact.
 END
@@ -71,7 +71,7 @@ after the scenes of this page.
 On 1024 cells, with truths on 4096 (`contact_grid_error 2 4096 3 1024`, 7 GB), a smooth and a rough sphere lie within all their
 stated errors.
 
-The cost, by cells a side; on few of them it is mostly that of the set-up:
+The cost, in that of the contact itself, by cells a side; on few of them it is mostly that of the set-up:
 END
 table contact_grid_error-2
 claim "Of all scenes, and but for the depth of fine ones, nine in ten have true errors within the stated ones, for every \

@@ -10,9 +10,9 @@ END
 picture stress "Error of a layer against its seconds" <<'END'
 set ylabel 'error / p_0'
 cases = "hertz sliding"
-plot for [i=1:2] '@stress_error_time-1.tsv' using 9:(strcol(1) eq word(cases, i) ? $3 : NaN) \
+plot for [i=1:2] '@stress_error_time-1.tsv' using (column('seconds')):(strcol(1) eq word(cases, i) ? $3 : NaN) \
        with linespoints linetype i pointtype 7 title word(cases, i).', any component', \
-     for [i=1:2] '' using 9:(strcol(1) eq word(cases, i) ? abs($5) : NaN) \
+     for [i=1:2] '' using (column('seconds')):(strcol(1) eq word(cases, i) ? abs($5) : NaN) \
        with linespoints linetype i pointtype 6 dashtype 2 title word(cases, i).', maximum of von Mises'
 END
 table stress_error_time-1

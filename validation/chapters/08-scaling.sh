@@ -13,7 +13,7 @@ set format x '%.0f'
 stages = "kernel synthesis moments acf psd smooth rough volume maximum"
 plot for [i=1:words(stages)] '@scaling-1.tsv' using 2:(strcol(1) eq word(stages, i) && $3 == 1 ? $4 : NaN) \
   with linespoints linetype i pointtype 7 title word(stages, i), \
-  '' using 2:(strcol(1) eq 'synthesis' && $3 == 1 ? $4 / $5 : NaN) with lines linewidth 2 dashtype 2 linecolor rgb 'black' title 'one r2c'
+  '' using 2:(strcol(1) eq 'synthesis' && $3 == 1 ? $4 / column('transforms') : NaN) with lines linewidth 2 dashtype 2 linecolor rgb 'black' title 'one r2c'
 END
 picture scaling-memory "Peak memory against N, one thread" <<'END'
 set xlabel 'N'
@@ -22,7 +22,7 @@ set logscale x 2
 set format x '%.0f'
 set format y '%g'
 stages = "kernel synthesis moments acf psd smooth rough volume maximum"
-plot for [i=1:words(stages)] '@scaling-1.tsv' using 2:(strcol(1) eq word(stages, i) && $3 == 1 ? $6 : NaN) \
+plot for [i=1:words(stages)] '@scaling-1.tsv' using 2:(strcol(1) eq word(stages, i) && $3 == 1 ? column('MB') : NaN) \
   with linespoints linetype i pointtype 7 title word(stages, i), \
   '' using 2:(strcol(1) eq 'synthesis' && $3 == 1 ? 8e-6 * $2 ** 2 : NaN) with lines linewidth 2 dashtype 2 linecolor rgb 'black' title 'the heights'
 END
