@@ -16,8 +16,8 @@
 /// `seconds` with their set-up, FFTW's plans apart; `transforms` the same in real
 /// transforms of (2N)² points, one there or back, on one thread; `MB` what a process takes for it at its peak
 /// beyond what it has already, plans and influences included, its input not (2 MB are the program's own
-/// pages); `doubles` the same in doubles a cell. N = 4096 is left out where it would take more than half a
-/// minute, or three quarters of the memory.
+/// pages); `doubles` the same in doubles a cell. N = 4096 is left out where it would take more than ten
+/// seconds, or three quarters of the memory.
 ///
 /// Second table: what doubling N takes. `exponent` e of seconds ~ (N² log N)^e, fitted from N = 256 on (from
 /// LARGEST_N/2 if that is less); `time` and `memory` of the largest grid over those of one half as wide;
@@ -48,7 +48,7 @@ using namespace asperity;
 namespace {
 
 constexpr Index always = 2048;
-constexpr double longest = 30;
+constexpr double longest = 10;
 
 using Work = std::function<void()>;
 /// What a stage does on N × N cells on so many threads, its input made.

@@ -6,19 +6,11 @@
 /// smooths and leaks, and what missing points spread, lengthens intervals or leaves none (resolution.hpp,
 /// holes.hpp).
 ///
-/// Accuracy  of fields of eleven textures, Gaussian and not, without a known correlation
-///           (validation/error_coverage.cpp), at wave numbers 3, 5, 12, 40 where more than half of the
-///           fields have an error. Covered, in per cent, and the stated over the true error:
-///
-///           points      N_eff        fields   covered     error
-///           32 × 32     8 to 35      200      90 to 99    0.85 to 1.34
-///           37 × 37     43 to 174    200      92 to 100   0.88 to 1.34
-///           64 × 64     33 to 141    200      90 to 99    0.81 to 1.31
-///           60 × 200    214 to 899   100      89 to 100   0.86 to 1.25
-///           128 × 128   131 to 564   100      89 to 100   0.82 to 1.40
-///
-///           A coverage is known to 1.5 % of 200 fields and to 2.2 % of 100, an error to 5 and 7 %. At
-///           wave number 2, 85 to 100 %, 0.84 to 1.46. Intervals rather cover too much, for chance leaves an
+/// Accuracy  stated over true error and coverage of the 95 % intervals, the least and the most of eleven
+///           textures, Gaussian and not, without a known correlation, at wave numbers 2 to 40 where more than
+///           half of the fields have an error (validation/error_coverage):
+///           0.82 to 1.28, 92 to 100 % at N_eff 290 to 1230; 0.81 to 1.33, 90 to 100 % at 33 to 140;
+///           0.85 to 1.46, 85 to 99 % at 8 to 35. Intervals rather cover too much, for chance leaves an
 ///           excess of Gaussian heights too.
 /// Cost      at 2048 × 2048 points three times that of a spectrum alone, half as much again where heights
 ///           were drawn Gaussian.

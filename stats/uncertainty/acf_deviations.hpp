@@ -19,10 +19,10 @@
 ///
 /// The modes are long waves of the field (stats/uncertainty/lag_waves.hpp).
 ///
-/// Accuracy  of 200 fields of each of eleven textures, 95 % intervals of ratios (Str, gamma, those at 1/e and
-///           10 %) cover 86 to 98 % at N_eff 290 to 1230, the rms of stated errors 0.91 to 1.31 of the true
-///           ones; 85 to 100 % and 0.93 to 1.65 at N_eff 33 to 140, 82 to 100 % and 0.84 to 2.34 at 8 to 35,
-///           where half of the fields or more have an error (validation/error_coverage).
+/// Accuracy  of ratios (Str, gamma, those at 1/e and 10 %) stated over true error and coverage of the 95 %
+///           intervals, the least and the most of eleven textures, where half of the fields or more have an
+///           error (validation/error_coverage): 0.91 to 1.31, 86 to 98 % at N_eff 290 to 1230;
+///           0.93 to 1.65, 85 to 100 % at 33 to 140; 0.84 to 2.34, 82 to 100 % at 8 to 35.
 ///
 /// S. J. Julier, J. K. Uhlmann, Unscented filtering and nonlinear estimation, Proc. IEEE 92 (2004) 401-422.
 #pragma once

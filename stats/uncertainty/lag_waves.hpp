@@ -22,10 +22,10 @@
 ///
 /// Symbols   K  waves      ν  half waves      P, Q  longest lags
 /// Scope     long_waves.hpp; lags up to half the field.
-/// Accuracy  the error itself is known to 1/√(2K). Of 200 fields of each of eleven textures, N_eff 290 to
-///           1230, errors of ρ are 0.84 to 1.12 times the true ones, those of S 0.91 to 1.14, and 86 to 98 %
-///           of the 95 % intervals hold the truth; of N_eff 33 to 140 0.78 to 1.19, 0.78 to 1.21 and 80 to
-///           100 %, at the longest lag least (validation/error_coverage).
+/// Accuracy  the error itself is known to 1/√(2K). Stated over true error and coverage of the 95 % intervals,
+///           the least and the most of eleven textures and of lags 1, 4, 16 (validation/error_coverage), at
+///           N_eff 290 to 1230 and at 33 to 140: of ρ 0.84 to 1.12, 86 to 98 % and 0.78 to 1.19, 87 to 100 %;
+///           of S 0.91 to 1.14, 88 to 98 % and 0.78 to 1.21, 80 to 100 %. The longest lag has the least.
 /// Cost      for B blocks of bx × by points three transforms of (bx + 2P)(by + 2Q) points each, nine with
 ///           missing heights. Memory: 4K fields over the lags, and five such transforms, of a piece.
 #pragma once
