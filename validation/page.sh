@@ -19,6 +19,8 @@ begin() {
   mkdir -p "$1/results"
   rm -f "$1"/results/*
   echo "$present" >"$1/results/conditions.txt"
+  [ -z "${apart:-}" ] || printf '\nOf commit %s, with the same code of the library: %s.\n' "$(<"$apart/commit")" \
+    "$(basename -s .out "$apart"/*.out | paste -sd' ')" >>"$1/results/conditions.txt"
   begin_again "$1"
 }
 
@@ -73,11 +75,11 @@ text() { { echo; cat; } >>"$page"; }
 # wanted PROGRAM: whether to run it, that is, unless --again names other programs only.
 wanted() { [[ ! -v again || $again == *" $1 "* ]]; }
 
-# run PROGRAM[@NAME] [ARGUMENT...]: runs it and stores its tables.
+# run PROGRAM[@NAME] [ARGUMENT...]: runs it, unless it ran apart, and stores its tables.
 run() {
   local start=$SECONDS
   wanted "$1" || return 0
-  "$programs/${1%@*}" "${@:2}" >"$results/$1.out"
+  if [ -f "${apart:-}/$1.out" ]; then cp "$apart/$1.out" "$results"; else "$programs/${1%@*}" "${@:2}" >"$results/$1.out"; fi
   awk -F'\t' -v to="$results/$1" '
     /^# .*\t/ { close(file); file = to "-" ++tables ".tsv"; sub(/^# /, ""); print >file; next }
     /^#/ || NF < 2 || !file { next }
