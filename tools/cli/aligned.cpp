@@ -12,7 +12,7 @@
 namespace asperity::cli {
 namespace {
 
-constexpr std::size_t least_meaning = 20, indent = 4;
+constexpr std::size_t least_meaning = 20, meaning_indent = 4;
 constexpr double largest_count = 1e15;  // that is shown whole
 constexpr int least_place = -4;         // of a first digit that follows zeros
 
@@ -255,7 +255,7 @@ std::string aligned(const Parameters& parameters, std::size_t width) {
   if (total(columns) > width && columns.size() == 4) columns.erase(columns.begin() + 2);
   const std::size_t room = width - std::min(width, total(columns) + gap_width);
   const bool beside = room >= least_meaning;
-  const std::size_t start = beside ? width - room : indent, most = width - std::min(width - 1, start);
+  const std::size_t start = beside ? width - room : meaning_indent, most = width - std::min(width - 1, start);
   const std::string heads = row_of(columns, 0);
   std::string out = line_of(beside ? heads + gap + "meaning" : heads, width);
   for (std::size_t r = 0; r < parameters.size(); ++r) {

@@ -63,7 +63,7 @@ void refuse_deep_keys(std::string_view text) {
   }
 }
 
-std::string text_of(const std::string& key, const toml::node& node) {
+std::string value_text(const std::string& key, const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
@@ -73,10 +73,10 @@ std::string text_of(const std::string& key, const toml::node& node) {
 
 std::vector<std::string> texts_of(const std::string& key, const toml::node& node) {
   const toml::array* list = node.as_array();
-  if (list == nullptr) return {text_of(key, node)};
+  if (list == nullptr) return {value_text(key, node)};
   if (list->empty()) throw CLI::ConfigError(key + ": is an empty list: give it a value or leave it out");
   std::vector<std::string> out;
-  for (const toml::node& element : *list) out.push_back(text_of(key, element));
+  for (const toml::node& element : *list) out.push_back(value_text(key, element));
   return out;
 }
 
@@ -120,7 +120,7 @@ std::string toml(const CLI::Option& option, const std::vector<std::string>& valu
 }
 
 // "key = value", a comment when it is the default, or nothing where there is none.
-std::string line_of(const CLI::Option& option) {
+std::string option_line(const CLI::Option& option) {
   const std::string key = option.get_single_name();
   const bool given = option.count() > 0;
   if (is_flag(option))
@@ -170,7 +170,7 @@ std::string config_text(const CLI::App& app) {
   for (const std::string& group : app.get_groups()) {
     std::string lines;
     for (const CLI::Option* option : app.get_options())
-      if (option->get_group() == group && option->get_configurable()) lines += line_of(*option);
+      if (option->get_group() == group && option->get_configurable()) lines += option_line(*option);
     if (!lines.empty()) out += "\n# " + group + "\n" + lines;
   }
   return out;

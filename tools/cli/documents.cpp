@@ -78,7 +78,7 @@ std::string entry(const std::string& head, const std::string& text) {
 }
 
 // "-o, --output FILE"
-std::string head_of(const CLI::Option& option) {
+std::string bold_head_of(const CLI::Option& option) {
   if (option.get_positional()) return italic(option.get_single_name());
   std::string out;
   for (const std::string& name : names_of(option)) out += (out.empty() ? "" : ", ") + bold(name);
@@ -90,7 +90,7 @@ std::string options_by_group(const CLI::App& app) {
   for (const std::string& group : app.get_groups()) {
     out += ".SS " + roff(group == "Options" ? "Arguments" : group) + "\n";
     for (const CLI::Option* option : app.get_options())
-      if (option->get_group() == group) out += entry(head_of(*option), text_of(*option) + ".");
+      if (option->get_group() == group) out += entry(bold_head_of(*option), text_of(*option) + ".");
   }
   return out;
 }
@@ -208,7 +208,7 @@ std::string described(const std::string& text) {
 }
 
 // '(-o --output)'{-o,--output=}'[Where the result goes]:FILE:_files'
-std::string argument(const CLI::Option& option) {
+std::string zsh_argument(const CLI::Option& option) {
   const Value value = value_of(option);
   std::vector<std::string> names = names_of(option);
   const std::string all = fmt::format("{}", fmt::join(names, " "));
@@ -272,7 +272,7 @@ std::string zsh_completion(const CLI::App& app) {
   std::string arguments;
   for (const CLI::Option* option : app.get_options())
     if (!option->get_positional())
-      out += " \\\n  " + argument(*option);
+      out += " \\\n  " + zsh_argument(*option);
     else
       arguments =
           value_of(*option) == Value::word ? "':word:(" + in_a_line(*option) + ")'" : "'*:file:_files'";

@@ -20,7 +20,7 @@ namespace {
 constexpr double period = 0.2;  // between two drawings of the line [s]
 constexpr double least_time = 1, least_counted = 0.01, least_decades = 0.05;  // before the time left is told
 constexpr std::size_t shortest_bar = 8, longest_bar = 20, longest_line = 80;
-constexpr std::size_t column = 9;  // characters of a table of steps, at least
+constexpr std::size_t column_width = 9;  // characters of a table of steps, at least
 constexpr const char* erased = "\r\033[K";
 
 std::size_t terminal_width() {
@@ -166,7 +166,8 @@ void StepTable::row(const std::vector<std::string>& cells) {
   const auto print = [&](const std::vector<std::string>& words) {
     std::string line;
     for (std::size_t c = 0; c < words.size(); ++c)
-      line += fmt::format("{}{:>{}}", c == 0 ? "" : "  ", words[c], std::max(column, headings_[c].size()));
+      line +=
+          fmt::format("{}{:>{}}", c == 0 ? "" : "  ", words[c], std::max(column_width, headings_[c].size()));
     tool_.detail(line);
   };
   if (!std::exchange(headed_, true)) print(headings_);

@@ -21,7 +21,7 @@ namespace asperity::cli {
 namespace {
 
 // How a child ends that could say so, apart from what a library ends with.
-enum Ending { done = 0, refused = 101, out_of_memory = 102, failed = 103 };
+enum Ending { finished = 0, refused = 101, out_of_memory = 102, failed = 103 };
 
 // Bytes of address space; 0 where the system does not tell. The address sanitizer takes more than it needs.
 std::size_t address_space() {
@@ -71,7 +71,7 @@ class Pipe {
 Ending work_into(const Pipe& out, const WorkOfBytes& work) noexcept try {
   try {
     work([&](std::string_view bytes) { out.write(bytes); });
-    return done;
+    return finished;
   } catch (const DataError& error) {
     out.write(std::string_view("", 1));
     out.write(error.what());
@@ -113,7 +113,7 @@ Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::stri
   }
   Bytes out = pipe.read();
   const int status = status_of(child);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != done) refuse(status, out, limits, variable);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != finished) refuse(status, out, limits, variable);
   return out;
 }
 

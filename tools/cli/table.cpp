@@ -18,9 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t widest = 1000;  // line of a table on a terminal
+constexpr std::size_t widest_table = 1000;  // line of a table on a terminal
 
-std::string text_of(const Cell& cell) {
+std::string cell_text(const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell)) return one_line(*words);
   return shortest(std::get<double>(cell));
 }
@@ -46,7 +46,7 @@ void put(const Tool& tool, const Rows& rows, const Json& json, const Tsv& tsv) {
   check_table_name(tool.output_name(), tool.json());
   const bool for_people = tool.output_is_terminal() && !tool.json();
   tool.write_text(tool.json()  ? json()
-                  : for_people ? aligned(rows, columns_of(STDOUT_FILENO, widest))
+                  : for_people ? aligned(rows, columns_of(STDOUT_FILENO, widest_table))
                                : tsv());
 }
 
@@ -55,7 +55,7 @@ void put(const Tool& tool, const Rows& rows, const Json& json, const Tsv& tsv) {
 std::string Table::tsv() const {
   std::string out = fmt::format("# {}\n", fmt::join(columns | std::views::transform(heading), "\t"));
   for (const auto& row : rows)
-    out += fmt::format("{}\n", fmt::join(row | std::views::transform(text_of), "\t"));
+    out += fmt::format("{}\n", fmt::join(row | std::views::transform(cell_text), "\t"));
   return out;
 }
 

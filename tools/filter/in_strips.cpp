@@ -17,7 +17,7 @@
 namespace asperity::cli {
 namespace {
 
-constexpr double fill = 9.969209968386869e36;  // NetCDF's own for doubles
+constexpr double netcdf_fill = 9.969209968386869e36;  // NetCDF's own for doubles
 
 template <class Visit>
 void for_each_strip(const FieldParts& parts, std::size_t memory, Visit visit) {
@@ -50,7 +50,7 @@ void put_map(Dataset& data, const FieldParts& parts, const Survey& survey, const
   drop_surface(data, "kernel");
   set_grid(data, parts.grid);
   defer_values(data, name, {"x", "y"}, {survey.low, survey.high}, {units, title.empty() ? name : title});
-  if (survey.holes) data.find(name)->attributes.set("_FillValue", fill);
+  if (survey.holes) data.find(name)->attributes.set("_FillValue", netcdf_fill);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void filter_in_strips(Tool& tool, const Chain& chain, const std::string& path, c
   DatasetStream out(output);
   out.head(data, 1);
   for_each_strip(parts, tool.memory(), [&](const Field& strip) {
-    out.values(survey.holes ? Field(strip.isNaN().select(fill, strip)) : strip);
+    out.values(survey.holes ? Field(strip.isNaN().select(netcdf_fill, strip)) : strip);
   });
   out.close();
 }

@@ -19,8 +19,6 @@
 namespace asperity::cli {
 namespace {
 
-std::string metres(double length) { return format_quantity(length, "m"); }
-
 // λs < λc, both within the longer side of the field, beyond which a filter separates nothing.
 void check_cutoffs(const Tool& tool, const Preparation& asked, const Grid& grid) {
   if (asked.shorter.wavelength >= asked.longer.wavelength)

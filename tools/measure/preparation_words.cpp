@@ -21,8 +21,6 @@ double of_map(const Dataset& data, std::string_view variable, std::string_view a
   return variable == "heights" || variable == "values" ? data.attributes.number(attribute, 0) : 0;
 }
 
-std::string metres(double length) { return format_quantity(length, "m"); }
-
 bool longer(const Cutoff& cutoff, double side) { return cutoff.wavelength > side * (1 + 1e-12); }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/words.hpp"
 #include "dataset/dataset.hpp"
 #include "stats/filter/preparation.hpp"
 #include "stats/measure/surface.hpp"
@@ -16,6 +17,9 @@ inline constexpr const char* form_kind = "FORM";
 inline constexpr const char* cutoff_kind = "LENGTH[,FILTER]";
 /// What the two options take, for their help.
 extern const std::string form_words, filter_words;
+
+/// A length as messages name it: "0.8 mm".
+inline std::string metres(double length) { return format_quantity(length, "m"); }
 
 /// Throw ParameterError(option, …).
 Form parse_form(const std::string& option, const std::string& text);

@@ -11,7 +11,7 @@
 namespace asperity::plot {
 namespace {
 
-constexpr Index pieces = 400, errors = 99;  // of the curve; shares with an interval
+constexpr Index pieces = 400, intervals = 99;  // of the curve; shares with an interval
 
 struct Bearing : Construction {
   Field band = {};  ///< share [%] and both ends of the 95 % interval; no rows where errors are unknown
@@ -25,12 +25,12 @@ struct Bearing : Construction {
 Field band_of(const Sample& sample, const MaterialRatioCurve& curve) {
   if (!sample.size().gives_errors()) return Field(0, 3);
   std::vector<double> below, heights;
-  for (Index k = 0; k < errors; ++k) {
-    below.push_back(1 - (static_cast<double>(k) + 0.5) / errors);
+  for (Index k = 0; k < intervals; ++k) {
+    below.push_back(1 - (static_cast<double>(k) + 0.5) / intervals);
     heights.push_back(curve.quantile(below.back()));
   }
   const std::vector<Estimate> estimates = quantile_estimates(sample, below, heights);
-  Field out(errors, 3);
+  Field out(intervals, 3);
   Index known = 0;
   for (std::size_t k = 0; k < estimates.size(); ++k) {
     const Estimate& e = estimates[k];

@@ -9,8 +9,8 @@
 namespace asperity::plot {
 namespace {
 
-constexpr double line = 1.3, half_line = 0.5 * line;  // [em]
-constexpr double from_line = 0.5, step = 0.25;        // [em]
+constexpr double line_height = 1.3, half_line = 0.5 * line_height;  // [em]
+constexpr double from_line = 0.5, step_up = 0.25;                   // [em]
 
 struct Box {
   double left, right, low, high;
@@ -54,9 +54,10 @@ struct Length {
 void spread(std::vector<Length>& labels, double height) {
   std::ranges::sort(labels, {}, &Length::at);
   double least = half_line;
-  for (Length& l : labels) l.at = std::max(l.at, least), least = l.at + line;
+  for (Length& l : labels) l.at = std::max(l.at, least), least = l.at + line_height;
   double most = height - half_line;
-  for (auto l = labels.rbegin(); l != labels.rend(); ++l) l->at = std::min(l->at, most), most = l->at - line;
+  for (auto l = labels.rbegin(); l != labels.rend(); ++l)
+    l->at = std::min(l->at, most), most = l->at - line_height;
 }
 
 std::vector<Length> lengths_of(const Sheet& sheet) {
@@ -73,7 +74,7 @@ std::vector<Length> lengths_of(const Sheet& sheet) {
 
 void add_lengths(Figure& figure, Script& script, const Sheet& sheet) {
   std::vector<Length> labels = lengths_of(sheet);
-  while (!labels.empty() && static_cast<double>(labels.size()) * line > sheet.height) {
+  while (!labels.empty() && static_cast<double>(labels.size()) * line_height > sheet.height) {
     const auto shortest = std::ranges::min_element(labels, {}, [](const Length& l) { return l.of.width(); });
     figure.notes.push_back(fmt::format("{} has no room beside the panel: give more height", shortest->name));
     labels.erase(shortest);
@@ -103,7 +104,7 @@ std::optional<Box> place_of(const Sheet& sheet, const Ratio& r, double length,
   std::optional<Box> out;
   int fewest = 0;
   const double at = sheet.x(100 * r.share);
-  for (double y = 0.8; y + half_line <= sheet.height; y += step)
+  for (double y = 0.8; y + half_line <= sheet.height; y += step_up)
     for (const bool right : {r.inner_right, !r.inner_right}) {
       const double left = right ? at + from_line : at - from_line - length;
       const Box box{left, left + length, y - half_line, y + half_line};

@@ -11,8 +11,8 @@
 namespace asperity::plot {
 namespace {
 
-constexpr double deepest = 1e-12;  // of the largest density; below it round-off is drawn
-constexpr double widest = 1e3;     // of the densities, to which intervals are shown
+constexpr double deepest = 1e-12;        // of the largest density; below it round-off is drawn
+constexpr double widest_interval = 1e3;  // of the densities, to which intervals are shown
 constexpr const char* unsure = "#707070";
 
 using Spectrum = std::vector<SpectrumPoint>;
@@ -72,7 +72,7 @@ Extent extent_of(const Plane& plane) {
   for (const Trace& t : plane.traces)
     for (const SpectrumPoint& p : t.points) out.add(p.wave_number, p.density);
   // Beyond, the ends of hardly known densities would hide them all.
-  const double low = out.y.low / widest, high = out.y.high * widest;
+  const double low = out.y.low / widest_interval, high = out.y.high * widest_interval;
   for (const Trace& t : plane.traces)
     for (const SpectrumPoint& p : t.points)
       if (known(p))

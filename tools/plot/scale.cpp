@@ -11,17 +11,17 @@
 namespace asperity::plot {
 namespace {
 
-constexpr double narrowest = 1e-13;                // of the numbers
-constexpr double least = 1e-290, largest = 1e300;  // that steps and units can be found for
+constexpr double narrowest = 1e-13;                            // of the numbers
+constexpr double least_drawn = 1e-290, largest_drawn = 1e300;  // that steps and units can be found for
 constexpr double most_multiples = 1000;
 
 }  // namespace
 
 Range drawable(Range r) {
-  if (!(std::abs(r.low) <= largest && std::abs(r.high) <= largest))
-    throw DataError("picture", fmt::format("values beyond {:g} cannot be drawn", largest));
-  if (r.width() > std::max(narrowest * r.magnitude(), least)) return r;
-  const double half = r.magnitude() > least ? 0.05 * r.magnitude() : 0.5;
+  if (!(std::abs(r.low) <= largest_drawn && std::abs(r.high) <= largest_drawn))
+    throw DataError("picture", fmt::format("values beyond {:g} cannot be drawn", largest_drawn));
+  if (r.width() > std::max(narrowest * r.magnitude(), least_drawn)) return r;
+  const double half = r.magnitude() > least_drawn ? 0.05 * r.magnitude() : 0.5;
   return {r.low - half, r.high + half};
 }
 

@@ -71,13 +71,13 @@ Axis axis_of_growth(Range range, double least, bool logarithmic, const Unit& uni
   return out;
 }
 
-struct Curve {
+struct SweepCurve {
   Eigen::ArrayXd x, y, half;
   bool across = false;  ///< the error is that of x
 };
 
-void add_layers(std::vector<Layer>& out, const Curve& c, const Sweep& of, std::size_t colour, const Unit& x,
-                const Unit& y) {
+void add_layers(std::vector<Layer>& out, const SweepCurve& c, const Sweep& of, std::size_t colour,
+                const Unit& x, const Unit& y) {
   Field line(c.x.size(), 2), open(c.x.size(), 2);
   line << c.x / x.factor, c.y / y.factor;
   const std::string own = fmt::format("linecolor rgb '{}'", line_colour(colour));

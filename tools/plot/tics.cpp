@@ -8,7 +8,7 @@
 namespace asperity::plot {
 namespace {
 
-constexpr double gap_along = 0.9, line = 1.8, most_across = 8;  // [em], [em], steps
+constexpr double gap_along = 0.9, gap_across = 1.8, most_across = 8;  // [em], [em], steps
 
 // Of a range, 0 to 1 along the axis.
 double place_of(const Axis& axis, double v) {
@@ -98,7 +98,7 @@ Tics tics_along(const Axis& axis, double length) {
 }
 
 Tics tics_across(const Axis& axis, double height) {
-  return at_most(axis, std::clamp(height / line, 2.0, most_across));
+  return at_most(axis, std::clamp(height / gap_across, 2.0, most_across));
 }
 
 double longest(const Tics& tics) {

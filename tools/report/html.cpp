@@ -14,7 +14,7 @@ constexpr struct {
   const char* escape;
 } escapes[] = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
 
-std::string escaped(char c) {
+std::string entity_of(char c) {
   const auto code = static_cast<unsigned char>(c);
   if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7F) return "\uFFFD";
   const auto* own = std::ranges::find_if(escapes, [&](const auto& e) { return e.character == c; });
@@ -25,7 +25,7 @@ std::string escaped(char c) {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : utf8_of(text)) out += escaped(c);
+  for (const char c : utf8_of(text)) out += entity_of(c);
   return out;
 }
 

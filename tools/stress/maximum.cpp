@@ -18,7 +18,7 @@ struct Words {
   const char *of, *attribute, *text;
 };
 
-constexpr Words words_of(Criterion of) {
+constexpr Words criterion_words(Criterion of) {
   switch (of) {
     case Criterion::von_mises:
       return {"von_mises", "stress_max_von_mises", "von Mises stress"};
@@ -35,7 +35,8 @@ StressMaximum search_layers(const Tool& tool, const StressScene& scene, const Lo
                             const StressSearch& search) {
   const bool layers = !scene.depths.empty();
   Progress progress(tool, layers ? 0.5 : 1);
-  StepTable probes(tool, {"layer", "depth [um]", fmt::format("greatest {} [MPa]", words_of(search.of).of)});
+  StepTable probes(tool,
+                   {"layer", "depth [um]", fmt::format("greatest {} [MPa]", criterion_words(search.of).of)});
   const StressSolver volume(body, tool.thread_count(), scene.resolution);
   return maximum_stress(volume, search, [&](const StressProbe& p) {
     progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers searched");
@@ -50,7 +51,7 @@ void warn_if_shallow(const Tool& tool, const LoadedBody& body, const StressSearc
   const bool shallow = is_shallow(body, top.depth);
   if (!shallow && missing == 0) return;
   std::string line =
-      fmt::format("the largest {} lies {:.4g} um deep", words_of(search.of).text, top.depth * 1e6);
+      fmt::format("the largest {} lies {:.4g} um deep", criterion_words(search.of).text, top.depth * 1e6);
   if (shallow)
     line +=
         fmt::format(", less than the {:.4g} um of stress_accurate_depth", accurate_depth(body.grid) * 1e6);
@@ -90,7 +91,7 @@ void warn_if_at_edge(const Tool& tool, const Grid& grid, const StressMaximum& ma
 
 StressMaximum found_maximum(const Tool& tool, StressScene& scene, const StressSearch& search,
                             const LoadedBody& body) {
-  const auto [of, attribute, what] = words_of(search.of);
+  const auto [of, attribute, what] = criterion_words(search.of);
   const StressMaximum top = search_layers(tool, scene, body, search);
   Attributes& a = scene.data.attributes;
   a.set(attribute, top.value);
@@ -113,12 +114,12 @@ StressMaximum found_maximum(const Tool& tool, StressScene& scene, const StressSe
 
 }  // namespace
 
-std::string attribute_of(Criterion of) { return words_of(of).attribute; }
+std::string attribute_of(Criterion of) { return criterion_words(of).attribute; }
 
 StressSearch search_of(const StressOptions& options, const Grid& grid) {
   StressSearch search;
   for (Criterion c : {Criterion::von_mises, Criterion::max_shear, Criterion::principal})
-    if (options.of == words_of(c).of) search.of = c;
+    if (options.of == criterion_words(c).of) search.of = c;
   if (!options.below.empty()) search.below = depth_on(grid, "below", options.below, StressSearch::deepest);
   return search;
 }
@@ -137,7 +138,7 @@ StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSea
 
 Table maxima_of(const Tool& tool, const StressOptions& options, const StressScene& scene) {
   const StressSearch search = search_of(options, scene.body.grid);
-  const auto [of, attribute, what] = words_of(search.of);
+  const auto [of, attribute, what] = criterion_words(search.of);
   Progress progress(tool);
   const auto maxima = maximum_by_depth(StressSolver(scene.body, tool.thread_count(), scene.resolution),
                                        search.of, scene.depths, [&](const StressProbe& p) {
