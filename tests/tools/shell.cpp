@@ -1,11 +1,13 @@
 #include "tools/shell.hpp"
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <sys/wait.h>
+#include <thread>
 
 namespace asperity::test {
 namespace {
@@ -46,6 +48,12 @@ Outcome shell(const std::string& line) {
   const int status = std::system(command.c_str());
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, content(scratch(".out")), content(scratch(".error"))};
+}
+
+// std::time is that of the last tick, at most 10 ms ago.
+void await_next_second() {
+  using namespace std::chrono;
+  std::this_thread::sleep_until(floor<seconds>(system_clock::now()) + 1010ms);
 }
 
 }  // namespace asperity::test

@@ -17,4 +17,7 @@ Outcome shell(const std::string& line);
 /// The path of a file in that folder.
 std::string scratch(const std::string& name);
 
+/// Waits until the clock shows another second than now.
+void await_next_second();
+
 }  // namespace asperity::test
