@@ -12,7 +12,7 @@ namespace asperity {
 
 struct Plane {
   bool along_x = true;  ///< y = y_index; else x = x_index
-  Index index = 0;
+  Index index = 0;      ///< from 0 to n - 1
 };
 
 using StressRowSink = std::function<void(Index i, const StressRow& values)>;

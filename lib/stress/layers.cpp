@@ -3,13 +3,25 @@
 #include <algorithm>
 
 #include "core/calibration.hpp"
+#include "core/error.hpp"
 
 namespace asperity {
+namespace {
+
+void check_plane(const Plane& plane, Shape cells) {
+  const Index planes = plane.along_x ? cells.ny : cells.nx;
+  check_parameter(
+      plane.index >= 0 && plane.index < planes, "section",
+      "plane " + std::to_string(plane.index) + " must lie in 0 ... " + std::to_string(planes - 1));
+}
+
+}  // namespace
 
 StressSolver::StressSolver(LoadedBody body, std::optional<Plane> section, int threads,
                            DepthResolution resolution)
     : body_(std::move(body)), section_(section), threads_(std::max(threads, 1)), levels_(1) {
   body_.check();
+  if (section_) check_plane(*section_, body_.grid.shape);
   if (resolution == DepthResolution::full) return;
   for (Index s = 2; Resolution::possible(body_.grid, s); s *= 2) levels_.emplace_back().s = s;
 }

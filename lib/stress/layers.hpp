@@ -55,7 +55,8 @@ enum class DepthResolution {
 
 class StressSolver {
  public:
-  /// Of whole layers, or of the row of each in a section alone. Throws as LoadedBody::check does.
+  /// Of whole layers, or of the row of each in a section alone. Throws as LoadedBody::check does, and
+  /// ParameterError("section") for a plane beside the cells.
   StressSolver(LoadedBody body, std::optional<Plane> section, int threads = 1,
                DepthResolution resolution = DepthResolution::full);
   explicit StressSolver(LoadedBody body, int threads = 1, DepthResolution resolution = DepthResolution::full)

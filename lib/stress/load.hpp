@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "core/field.hpp"
 #include "core/ranks.hpp"
@@ -34,7 +35,7 @@ stress::Tractions acting(const LoadWeights& weights);
 struct LoadedBody {
   Grid grid;
   Field pressure;  ///< of each cell [Pa]; of several ranks, the rows that this one has
-  double poisson = 0;
+  double poisson = std::numeric_limits<double>::quiet_NaN();  ///< ν, to be given
   Friction friction = {};
   const Ranks* ranks = &alone();  ///< that hold it together; what follows is then collective
 

@@ -25,6 +25,7 @@ std::string shown(std::size_t bytes) {
 Synthesis::Synthesis(Field kernel, Shape surface, Options options)
     : kernel_(std::move(kernel)), surface_(surface), options_(std::move(options)) {
   if (surface.nx < 1 || surface.ny < 1) throw ParameterError("shape", "a surface needs at least 1x1 points");
+  if (kernel_.size() == 0) throw ParameterError("kernel", "it has no coefficients");
   if (options_.summation == Summation::cheapest) {
     const SynthesisCost cost = synthesis_cost(shape_of(kernel_), surface);
     options_.summation = cost.direct <= cost.transform ? Summation::direct : Summation::transform;

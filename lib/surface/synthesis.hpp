@@ -40,7 +40,7 @@ using RowSink = std::function<void(Index first, Eigen::Ref<Field> rows)>;
 class Synthesis {
  public:
   struct Options {
-    bool periodic = false;
+    bool periodic = false;  ///< along both axes, as the grid of what is drawn is to say too
     Summation summation = Summation::cheapest;
     int threads = 1;
     /// Bound of working_set() [byte], kept by fewer rows and threads at a time.
@@ -49,7 +49,8 @@ class Synthesis {
     std::size_t beside = 0;      ///< bytes that stand in memory meanwhile, and count as of the working set
   };
 
-  /// Throws ParameterError("shape") of a surface without points, ("memory") when one strip needs more.
+  /// Throws ParameterError("shape") of a surface without points, ("kernel") of a kernel without coefficients,
+  /// ("memory") when one strip needs more.
   Synthesis(Field kernel, Shape surface, Options options);
 
   /// The surface of this noise, row by row. Exceptions of the sink pass on. For several threads at once.

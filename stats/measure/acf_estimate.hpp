@@ -46,6 +46,7 @@ struct ProfileErrors {
     return Interval::of(value, std::min(value, freed - half), std::max(value, freed + half));
   }
 };
+/// `heights`, here and below: those that the estimate is of, prepared. About another level errors are wrong.
 ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, bool along_x, bool absolute,
                              int threads = 1);
 

@@ -15,6 +15,14 @@
 namespace asperity {
 namespace {
 
+// Of several ranks, each has some rows.
+void check_shape(const Surface& surface) {
+  const Shape own{Slabs(surface.grid.shape.nx, *surface.ranks).own().count, surface.grid.shape.ny};
+  const Shape field = shape_of(surface.heights);
+  if (field != own)
+    throw DataError(surface.variable, "the field has " + text(field) + " points, its grid " + text(own));
+}
+
 double largest_of(const Surface& surface) {
   return largest(*surface.ranks, surface.heights.abs().maxCoeff<Eigen::PropagateNumbers>());
 }
@@ -30,6 +38,7 @@ Field waves_beyond(Surface& surface, const char* name, const Cutoff& cutoff, int
 }  // namespace
 
 Surface prepared(Surface surface, const Preparation& preparation, int threads) {
+  check_shape(surface);
   surface.level = mean(surface.heights, *surface.ranks);
   const double size = surface.largest = largest_of(surface);
   const auto& [form, shorter, longer] = preparation;
@@ -64,6 +73,7 @@ void refuse_round_off(double largest, double size, const Form& form, const std::
 }
 
 ErrorBasis error_basis(const Surface& surface, int threads) {
+  check_shape(surface);
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, threads);
   const FormModes form(surface.heights, pairs, surface.degree, threads);
   if (surface.correlation) return {*surface.correlation, false, pairs, form};

@@ -43,8 +43,8 @@ struct Surface {
 };
 
 /// Throws ParameterError("remove-form"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
-/// DataError(variable) where only rounding remains (refuse_round_off). Of several ranks, the form is the
-/// mean, without filters.
+/// DataError(variable) where the field is not of the grid's shape, and where only rounding remains
+/// (refuse_round_off). Of several ranks, the form is the mean, without filters.
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 
 /// The longest lags at which errors, tests and simulated surfaces ask for a known correlation: those of a

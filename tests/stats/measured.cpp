@@ -6,6 +6,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "fields.hpp"
+#include "stats/measure.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "whole.hpp"
@@ -132,4 +133,13 @@ TEST_CASE("the ACF and the structure function of a measured surface are the sums
     }
   CHECK(worst <= 1e-12 * variance);
   CHECK(worst_structure <= 1e-12 * variance);
+}
+
+// Memory behind the field was written.
+TEST_CASE("a field that is not of its grid's shape is refused", "[measured][contract]") {
+  const Field z = white_noise({16, 8}, 3);
+  for (const Grid& other : {grid(8, 16), grid(16, 16), grid(16, 7)}) {
+    CHECK_THROWS_AS(measure({other, z}), DataError);
+    CHECK_THROWS_AS(Sample(Surface{other, z}), DataError);
+  }
 }

@@ -281,6 +281,7 @@ TEST_CASE("a solver refuses what it cannot answer and names it", "[layers][contr
   broken(3, 4) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(StressSolver({oblong, p, 0.6}), ParameterError);
   CHECK_THROWS_AS(StressSolver({oblong, p, -1}), ParameterError);
+  CHECK_THROWS_AS(StressSolver({oblong, p}), ParameterError);  // was solved for ν = 0
   CHECK_NOTHROW(StressSolver({oblong, p, -0.3}));  // was refused here, and taken by the contact before it
   CHECK_THROWS_AS(StressSolver({oblong, broken, 0.3}), DataError);
   CHECK_THROWS_AS(StressSolver({oblong, Field::Ones(13, 20), 0.3}), DataError);

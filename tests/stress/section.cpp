@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "core/error.hpp"
 #include "layer.hpp"
 #include "stress/bound.hpp"
 #include "stress/influence.hpp"
@@ -195,4 +196,13 @@ TEST_CASE("no stress exceeds the bound of its load, and a force at one point com
         }
       }
   CHECK(std::isinf(stress_bound({{{24, 20}, 1, 1, true}, point, 0.3})));
+}
+
+// Memory beside the pressure was read.
+TEST_CASE("a section in a plane beside the cells is refused", "[section][contract]") {
+  const LoadedBody body{{{8, 6}, 1, 1}, Field::Ones(8, 6), 0.3, {}};
+  CHECK_NOTHROW(StressSolver(body, Plane{true, 5}));
+  CHECK_NOTHROW(StressSolver(body, Plane{false, 7}));
+  for (const Plane& plane : {Plane{true, 6}, Plane{false, 8}, Plane{true, -1}})
+    CHECK_THROWS_AS(StressSolver(body, plane), ParameterError);
 }

@@ -193,3 +193,7 @@ TEST_CASE("less memory than one strip takes is refused, and the least is named",
                        ParameterError, Message("1500kB does not hold one strip of this surface: 22MB do"));
   CHECK_NOTHROW(Synthesis(kernel, {4096, 4096}, {false, Summation::transform, 2, 22'000'000}));
 }
+
+TEST_CASE("a kernel without coefficients is refused", "[synthesis][contract]") {
+  CHECK_THROWS_MATCHES(Synthesis(Field(), {8, 8}, {}), ParameterError, Message("it has no coefficients"));
+}
