@@ -24,8 +24,8 @@
 ///
 /// Symbols   N  points      S_k  sums over the correlation
 /// Scope     Exact for independent heights, except the normal quantile in (4), (5).
-/// Accuracy  95 % intervals cover, of 2000 fields a row (validation/statistics_coverage), 93.7 to 96.5 % with
-///           a known correlation down to N/S_2 = 41; with an estimated one 92.7 to 97.2 %, but 84 to 95 % on
+/// Accuracy  95 % intervals cover, of 2000 fields a row (validation/statistics_coverage), 93.7 to 96.6 % with
+///           a known correlation down to N/S_2 = 41; with an estimated one 92.6 to 97.3 %, but 84 to 95 % on
 ///           other textures of N/S_2 = 36, where asperity-stats takes stats/height/height_error.hpp instead.
 ///
 /// E. B. Wilson, M. M. Hilferty, PNAS 17 (1931) 684-688, for χ² of 10⁴ degrees and more;
