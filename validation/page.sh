@@ -19,7 +19,7 @@ begin() {
   mkdir -p "$1/results"
   rm -f "$1"/results/*
   echo "$present" >"$1/results/conditions.txt"
-  [ -z "${apart:-}" ] || printf '\nOf commit %s, with the same code of the library: %s.\n' "$(<"$apart/commit")" \
+  [ -z "${apart:-}" ] || printf '\nRan apart, at commit %s: %s.\n' "$(<"$apart/commit")" \
     "$(basename -s .out "$apart"/*.out | paste -sd' ')" >>"$1/results/conditions.txt"
   begin_again "$1"
 }

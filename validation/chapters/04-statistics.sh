@@ -63,9 +63,9 @@ intervals that hold the truth, `ratio` the stated over the true error; the least
 in half of the fields:
 END
 table error_coverage-2
-claim "Errors of the mean, Sq, quantiles, slopes, spectral moments, summits, lags and 1/e lengths, means over profiles, spectra and the density at the mean are within a third of the true ones on every texture." error_coverage-2 \
+claim "Errors of the mean, Sq, quantiles, slopes, spectral moments, summits, lags and 1/e lengths, means over profiles, spectra and the density at the mean are within a quarter of the true ones on every texture." error_coverage-2 \
   '$c["parameter"] ~ /^(Sdq|Sdr|m[024]|alpha|summit|nayak|mean|Sq|quantile|Smc|acf|structure|length_e|gamma_e|P[^_]*$|psd_[a-z]+_(3|12)$|density_0)/ && $c["textures"] > 0' \
-  '$c["least_ratio"] >= '"$(size 0.5 0.75)"' && $c["most_ratio"] <= '"$(size 2 1.33)"
+  '$c["least_ratio"] >= '"$(size 0.5 0.8)"' && $c["most_ratio"] <= '"$(size 2 1.25)"
 text <<'END'
 Shares and densities of fewer than two independent heights have intervals, but no error. Where the window smooths or leaks too
 much of a spectrum, as of a Gaussian correlation at the wave number 40, it has no error. A few profiles decide the spread of Pku
@@ -82,11 +82,12 @@ claim "Intervals of the mean, Sa, Sq, Ssk, Sku, slopes, spectral moments, effect
   '$c["least_covered"] >= '"$(size 52 87.3)"
 text <<'END'
 The error itself is then known to a third, and errors vary from field to field; intervals are wider by Student's t, and many are
-open on one side. The bandwidth parameter and the deviation of summit heights of a plateau are covered in 76 to 84 %, for both rest
-on the kurtosis of a few valleys; the longest lags of plateaus in 80 %.
+open on one side. Of a plateau the bandwidth parameter, the deviation of summit heights, lengths at 1/e and the longest lags are
+covered in 81 to 86 %: they rest on a few valleys.
 
 N_eff 8 to 35, the least with which there are errors. A Gaussian correlation is there three lengths wide along x, and its spectrum
-falls too steeply for the window's main lobe: most of it has no errors there.
+falls too steeply for the window's main lobe: most of it has no errors there. The same figures of a plateau are covered in 63 to
+78 %, the curvature of summits of Gaussian correlations in 73 %.
 END
 table error_coverage@fewest-2
 text <<'END'
