@@ -42,10 +42,9 @@ $("$programs/heights_plane" -1 | sed -n '1s/^# //p').
 
 Compiled with \`$(flags)\`, with $(versions), at commit $(commit).
 
-\`validation/report\` writes this page. The programs are in \`validation/\`; the top of each explains its columns. Seconds are the
-shortest of at least five runs, and +N % behind them says by how much the median run took longer. If the machine did other
-work, compare seconds within a table only. \`r2c\` is one real-to-complex transform by FFTW, timed in the same run. Everything except time and memory is the same in every run, which
-\`validation/report --same\` checks.
+\`validation/report\` writes this page; the top of each program explains its columns. Seconds are the shortest of at least five
+runs; +N % says by how much the median run took longer. If the machine did other work, compare seconds within a table only. \`r2c\` is
+one real-to-complex transform by FFTW, timed in the same run. \`validation/report --same\` checks that all else is the same in every run.
 END
 }
 

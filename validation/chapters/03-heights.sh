@@ -75,9 +75,12 @@ table heights_coverage-1
 claim "With the distribution that heights were drawn from, intervals of Sq, Ssk and Sku cover 95 %, within four standard errors of the count." \
   heights_coverage-1 '$c["law"] == "drawn"' \
   'least($c["Sq"], least($c["Ssk"], $c["Sku"])) >= '"$(size 82.6 93.05)"
-claim "With the distribution estimated from the field they do so up to a kurtosis of 4, and up to 10 they cover 85 %, within four standard errors." \
-  heights_coverage-1 '$c["law"] == "evident"' \
-  'least($c["Sq"], least($c["Ssk"], $c["Sku"])) >= ($c["kurtosis"] <= 4 ? '"$(size 82.6 93.05) : $(size 64.8 81.8))"
+claim "With the distribution estimated from the field they do so up to a kurtosis of 4." \
+  heights_coverage-1 '$c["law"] == "evident" && $c["kurtosis"] <= 4' \
+  'least($c["Sq"], least($c["Ssk"], $c["Sku"])) >= '"$(size 82.6 93.05)"
+claim "Up to a kurtosis of 10 they cover 85 %, within four standard errors of the count." \
+  heights_coverage-1 '$c["law"] == "evident" && $c["kurtosis"] > 4' \
+  'least($c["Sq"], least($c["Ssk"], $c["Sku"])) >= '"$(size 64.8 81.8)"
 text <<'END'
 The fourth moment of skewed heights has ten times the error of a Gaussian's. Intervals that assume a Gaussian contain the true value
 in only a tenth to a half of all fields.
