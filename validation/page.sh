@@ -43,8 +43,8 @@ $("$programs/heights_plane" -1 | sed -n '1s/^# //p').
 Compiled with \`$(flags)\`, with $(versions), at commit $(commit).
 
 \`validation/report\` writes this page; the top of each program explains its columns. Seconds are the shortest of at least five
-runs; +N % says by how much the median run took longer. If the machine did other work, compare seconds within a table only. \`r2c\` is
-one real-to-complex transform by FFTW, timed in the same run. \`validation/report --same\` checks that all else is the same in every run.
+runs; +N % says by how much the median run took longer. From minute to minute a shared machine drifts, this one by up to 40 %: compare
+seconds within a table, with care. \`r2c\` is one real-to-complex transform by FFTW, timed in the same run. \`validation/report --same\` checks that all else is the same in every run.
 END
 }
 

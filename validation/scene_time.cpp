@@ -13,13 +13,11 @@
 ///     section         the plane y = 0 in place of the volume
 ///     maximum         the place of the largest von Mises stress in place of the volume
 ///     no stress
-/// Seconds of each part, one thread; `share` is the scene's sum over that of the
+/// Seconds of each part, of eight rounds over all scenes, one thread; `share` is the scene's sum over that of the
 /// whole.
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <map>
-#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -110,50 +108,50 @@ void compute(Asked asked, const Grid& grid, const Field& pressure, Field& out) {
   if (asked == Asked::maximum) maximum_stress(StressSolver({grid, pressure, poisson}, 1, adapted));
 }
 
-struct Surface {
-  Field heights;
-  Seconds kernel, draw;
+struct Times {
+  Runs kernel = {}, draw = {}, contact = {}, stress = {};
 };
 
-Surface drawn(const Grid& grid) {
-  const Synthesis surfaces(kernel(grid.shape.nx), grid.shape, {.periodic = grid.periodic.both()});
-  return {surfaces.surface(WhiteNoise(7)), seconds_of([&] { kernel(grid.shape.nx); }),
-          seconds_of([&] { surfaces.surface(WhiteNoise(7)); })};
+template <class Call>
+void time(Runs& runs, Call call) {
+  const Stopwatch watch;
+  call();
+  runs.add(watch.seconds());
 }
 
-struct Pressed {
-  Field pressure;
-  Seconds contact;
-};
-
-Pressed pressed(const Scene& scene, const Grid& grid, const Field& heights) {
+// One run of a scene, all parts that it needs.
+void run(const Scene& scene, Index n, Times& times) {
+  const Grid grid = grid_of(scene, n);
+  Field values, heights;
+  if (scene.rough) {
+    time(times.kernel, [&] { values = kernel(n); });
+    const Synthesis surfaces(values, grid.shape, {.periodic = grid.periodic.both()});
+    time(times.draw, [&] { heights = surfaces.surface(WhiteNoise(7)); });
+  }
   const Field gap = undeformed(scene, grid, heights);
-  return {press(scene, grid, gap).pressure, seconds_of([&] { press(scene, grid, gap); })};
+  Field pressure, out = Field::Zero(32 * n, n);
+  time(times.contact, [&] { pressure = press(scene, grid, gap).pressure; });
+  if (scene.asked != Asked::nothing) time(times.stress, [&] { compute(scene.asked, grid, pressure, out); });
 }
 
-// What two scenes have in common is timed once.
+// Round by round: a machine that drifts then changes all scenes alike.
 void print_rows(Index n) {
-  std::map<bool, Surface> surfaces;
-  std::map<std::tuple<bool, bool, bool>, Pressed> contacts;
+  std::vector<Times> times(std::size(scenes));
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    Times warm;
+    run(scenes[k], n, warm);
+  }
+  for (int round = 0; round < batches(); ++round)
+    for (std::size_t k = 0; k < times.size(); ++k) run(scenes[k], n, times[k]);
   double whole = 0;
-  for (const Scene& scene : scenes) {
-    const Grid grid = grid_of(scene, n);
-    if (!surfaces.contains(scene.periodic)) surfaces[scene.periodic] = drawn(grid);
-    const Surface& surface = surfaces[scene.periodic];
-    const auto [at, made] = contacts.try_emplace({scene.rough, scene.plastic, scene.periodic});
-    if (made) at->second = pressed(scene, grid, surface.heights);
-    const Pressed& contact = at->second;
-    Field out(32 * n, n);
-    const Seconds draw = scene.rough ? surface.draw : Seconds{},
-                  solve = scene.rough && !scene.has_kernel ? surface.kernel : Seconds{},
-                  stress = scene.asked == Asked::nothing
-                               ? Seconds{}
-                               : seconds_of([&] { compute(scene.asked, grid, contact.pressure, out); }),
-                  sum = solve + draw + contact.contact + stress;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const Scene& scene = scenes[k];
+    const Seconds solve = scene.has_kernel ? Seconds{} : times[k].kernel.seconds(),
+                  draw = times[k].draw.seconds(), contact = times[k].contact.seconds(),
+                  stress = times[k].stress.seconds(), sum = solve + draw + contact + stress;
     if (whole == 0) whole = sum;
     fmt::print("{}\t{}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2e}\t{:.2f}\n", scene.name, n, solve, draw,
-               contact.contact, stress, sum, sum / whole);
-    std::fflush(stdout);
+               contact, stress, sum, sum / whole);
   }
 }
 

@@ -43,7 +43,9 @@ class Runs {
  public:
   void add(double seconds) { all_.push_back(seconds); }
 
+  /// Zero of none.
   Seconds seconds() const {
+    if (all_.empty()) return {};
     std::vector<double> sorted = all_;
     std::ranges::sort(sorted);
     return {sorted.front(), 0.5 * (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2])};
