@@ -27,7 +27,7 @@ begin() {
 # begin_again FOLDER [PROGRAM...]: the same, with the tables of an earlier run, except those of these programs.
 begin_again() {
   index=$1/RESULTS.md results=$1/results broken=0 held=0
-  [ $# -eq 1 ] || printf '\nRun again at commit %s: %s.\n' "$(commit)" "${*:2}" >>"$results/conditions.txt"
+  [ $# -eq 1 ] || printf 'Run again at commit %s: %s.\n' "$(commit)" "${*:2}" >>"$results/conditions.txt"
   rm -f "$results"/*.md
   printf 'claim\tworst\tbound\tcases\tholds\tchapter\n' >"$results/claims.tsv"
   : >"$results/chapters.txt"
@@ -39,7 +39,6 @@ conditions() {
 
 $(lscpu | sed -n 's/^Model name: *//p'), $(nproc) cores; $(. /etc/os-release && echo "$PRETTY_NAME"); \
 $("$programs/heights_plane" -1 | sed -n '1s/^# //p').
-
 Compiled with \`$(flags)\`, with $(versions), at commit $(commit).
 
 \`validation/report\` writes this page; the top of each program explains its columns. Seconds are the shortest of at least five
