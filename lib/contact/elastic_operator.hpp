@@ -19,6 +19,8 @@ class ElasticOperator {
   virtual ~ElasticOperator() = default;
 
   virtual Shape shape() const = 0;
+  /// Whether it is one of this grid's cells, as far as it knows.
+  virtual bool fits(const Grid& grid) const { return grid.shape == shape(); }
   /// Its rows, as ranks share them: fields in and out hold this rank's.
   virtual Slabs slabs() const { return Slabs(shape().nx); }
   /// u = K p: displacement [m] under a pressure [Pa]. `u` is resized, and may be `p`.

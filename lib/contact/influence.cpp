@@ -118,6 +118,11 @@ class HalfSpace final : public ElasticOperator {
         work_(std::move(work)) {}
 
   Shape shape() const override { return grid_.shape; }
+  bool fits(const Grid& grid) const override {
+    auto same = [](double one, double other) { return std::abs(one / other - 1) <= 1e-9; };
+    return grid.shape == grid_.shape && grid.periodic == grid_.periodic && same(grid.dx, grid_.dx) &&
+           same(grid.dy, grid_.dy);
+  }
   Slabs slabs() const override { return slabs_; }
   void apply(const Field& p, Field& u) override { made(influence_, &HalfSpace::influence).apply(p, u); }
   void apply_single(const Field& p, Field& u) override {

@@ -59,8 +59,8 @@ void check_field(const char* name, const Field& f, const char* what, const Grid&
 
 ContactProblem make_problem(const Grid& grid, Field gap, ElasticOperator& influence,
                             const ContactParameters& parameters) {
-  if (!(influence.shape() == grid.shape))
-    throw DataError("heights", "the grid and the operator differ in shape");
+  if (!influence.fits(grid))
+    throw DataError("heights", "the operator is not one of the grid's shape, spacings and periods");
   check_field("heights", gap, "the field", grid, influence);
   if (parameters.start.size() > 0) check_field("pressure", parameters.start, "the start", grid, influence);
   ContactProblem problem{&influence,

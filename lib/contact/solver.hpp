@@ -103,7 +103,7 @@ struct Contact {
 Contact solve_contact(const Grid& grid, Field undeformed_gap, double composite_modulus,
                       const ContactParameters& parameters);
 
-/// With any other operator on the grid's cells.
+/// With any other operator. Throws DataError("heights") too when that is not one of the grid's cells.
 Contact solve_contact(const Grid& grid, Field undeformed_gap, ElasticOperator& influence,
                       const ContactParameters& parameters);
 

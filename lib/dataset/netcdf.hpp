@@ -54,7 +54,7 @@ bool looks_like_netcdf(std::string_view bytes);
 /// more than one dataset or a type unknown to CDF-5, or need more memory than allowed.
 Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory = {});
 /// The same of a file on disk, or of bytes that are kept: values of plain variables on two dimensions or more
-/// stay there, unread (dataset/unread.hpp). The memory must suffice for all of them all the same.
+/// stay there, unread (dataset/unread.hpp), but must fit the memory. No such file: std::system_error.
 Dataset open_netcdf(const std::string& path, const MemoryBound& memory = {});
 Dataset open_netcdf(Bytes bytes, const MemoryBound& memory = {});
 

@@ -226,6 +226,11 @@ class Search {
   std::mutex mutex_;
 };
 
+void check_whole(const StressSolver& solver) {
+  if (!(solver.shape() == solver.body().grid.shape))
+    throw ParameterError("section", "the largest stress is one of whole layers");
+}
+
 }  // namespace
 
 double equivalent_stress(Criterion of, const stress::Tensor& s) {
@@ -253,6 +258,7 @@ void StressSearch::check() const {
 StressMaximum maximum_stress(const StressSolver& solver, const StressSearch& wanted,
                              const std::function<void(const StressProbe&)>& on_layer) {
   wanted.check();
+  check_whole(solver);
   if ((solver.body().pressure == 0).all()) return {};
   return Search(solver, wanted, on_layer).run();
 }
@@ -260,6 +266,7 @@ StressMaximum maximum_stress(const StressSolver& solver, const StressSearch& wan
 std::vector<StressMaximum> maximum_by_depth(const StressSolver& solver, Criterion of,
                                             const std::vector<double>& depths,
                                             const std::function<void(const StressProbe&)>& on_layer) {
+  check_whole(solver);
   const LoadedBody& body = solver.body();
   std::vector<StressMaximum> out(depths.size());
   std::vector<Field> values(size(solver.threads()));

@@ -70,8 +70,8 @@ struct StressProbe {
   double value = 0;              ///< the largest of the layer [Pa]
 };
 
-/// All zero where nothing is loaded. `on_layer` is called for every layer, one at a time, in any order. The
-/// solver is one of whole layers, on one rank.
+/// All zero where nothing is loaded. `on_layer` is called for every layer, one at a time, in any order. Runs
+/// on one rank. Throws ParameterError("section") for the solver of a section.
 StressMaximum maximum_stress(const StressSolver& solver, const StressSearch& search = {},
                              const std::function<void(const StressProbe&)>& on_layer = {});
 

@@ -218,6 +218,22 @@ TEST_CASE("heights that are not finite or do not fit the grid are refused", "[co
   CHECK_THROWS_AS(press(grid, gap), DataError);
 }
 
+// Its displacements, those of other cells, were taken for the grid's.
+TEST_CASE("an operator of other cells than the grid's is refused", "[contact][contract]") {
+  const Grid grid{{16, 24}, 1e-6, 2e-6, {true, false}};
+  const Field gap = 1e-6 * random_field(grid.shape, 1);
+  const auto pressed_with = [&](const Grid& other) {
+    return solve_contact(grid, gap, *make_influence(other, modulus), {.load = 0.01});
+  };
+  CHECK_NOTHROW(pressed_with(grid));
+  CHECK_NOTHROW(pressed_with({grid.shape, 1e-6 * (1 + 1e-15), 2e-6, grid.periodic}));
+  for (const Grid& other :
+       {Grid{{24, 16}, 1e-6, 2e-6, grid.periodic}, Grid{grid.shape, 2e-6, 2e-6, grid.periodic},
+        Grid{grid.shape, 1e-6, 1e-6, grid.periodic}, Grid{grid.shape, 1e-6, 2e-6, false},
+        Grid{grid.shape, 1e-6, 2e-6, {false, true}}})
+    CHECK_THROWS_AS(pressed_with(other), DataError);
+}
+
 // Once 1e305 N was "converged" with pressures of NaN: their squares are infinite, and max|w| of NaN was 0.
 TEST_CASE("a load or approach whose pressures or displacements no double holds is refused",
           "[contact][contract]") {

@@ -7,6 +7,7 @@
 #include "stress/bound.hpp"
 #include "stress/influence.hpp"
 #include "stress/layers.hpp"
+#include "stress/maximum.hpp"
 #include "support.hpp"
 
 using namespace asperity;
@@ -205,4 +206,11 @@ TEST_CASE("a section in a plane beside the cells is refused", "[section][contrac
   CHECK_NOTHROW(StressSolver(body, Plane{false, 7}));
   for (const Plane& plane : {Plane{true, 6}, Plane{false, 8}, Plane{true, -1}})
     CHECK_THROWS_AS(StressSolver(body, plane), ParameterError);
+}
+
+// It was a search in one row, told with positions of the first.
+TEST_CASE("the largest stress of a section's solver is refused", "[section][contract]") {
+  const StressSolver section({{{8, 6}, 1, 1}, Field::Ones(8, 6), 0.3, {}}, Plane{true, 5});
+  CHECK_THROWS_AS(maximum_stress(section), ParameterError);
+  CHECK_THROWS_AS(maximum_by_depth(section, Criterion::von_mises, {0.5}), ParameterError);
 }
