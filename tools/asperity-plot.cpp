@@ -187,12 +187,12 @@ Dataset read(const cli::Tool& tool, const Options& o, const std::string& name, s
 plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   constexpr std::size_t most = 6;
   if (o.inputs.size() > most)
-    throw cli::UsageError("input", std::to_string(o.inputs.size()) + " inputs do not fit in one figure: " +
+    throw cli::UsageError("INPUT", std::to_string(o.inputs.size()) + " inputs do not fit in one figure: " +
                                        "give at most " + std::to_string(most));
   if (std::ranges::count(o.inputs, "-") > 1)
-    throw cli::UsageError("input", "standard input (-) can be given only once");
+    throw cli::UsageError("INPUT", "standard input (-) can be given only once");
   if (std::ranges::count(o.inputs, "-") == 1 && cli::stdin_is_terminal())
-    throw cli::UsageError("input", "pipe a dataset in or name a file");
+    throw cli::UsageError("INPUT", "pipe a dataset in or name a file");
   const std::vector<std::string> labels = labels_of(o);
   plot::Cases out;
   std::size_t held = 0;

@@ -35,6 +35,8 @@ TEST_CASE("a wrong request gets one line and its exit code", "[plot][contract]")
                {"--kind von-mises --above 2p0 -o w.png", 2, "--above"},
                {"--kind map --labels a,b -o w.png", 2, "--labels"},
                {"--kind map --title $'\\xff' -o w.png", 2, "--title"},
+               {"- - --kind map -o w.png", 2, "plot: INPUT: standard input (-) can be given only once"},
+               {"a b c d e f --kind map -o w.png", 2, "plot: INPUT: 7 inputs do not fit in one figure"},
                {"--kind map -o nowhere/w.png", 1, "nowhere"}};
   for (const auto& [arguments, exit, word] : wrong) {
     const Outcome run = plot(arguments);

@@ -1,10 +1,10 @@
 heading "Statistics"
 run moments_error_time "$(size 128 2048)"
 run statistics_coverage "$(size 50 2000)"
-run error_coverage $(size "20 lay_along_x 64x64" "1000 all")
+run error_coverage $(size "20 lay_along_x 64x64" "2000 all")
 run error_coverage@few $(size "10 lay_along_y 32x32 4" "2000 all 64x64 6")
 run error_coverage@fewest $(size "10 lay_along_y 24x24 4" "2000 all 32x32 6")
-run error_coverage@many $(size "10 lay_along_y 64x64 2" "100 all 128x128 2")
+run error_coverage@many $(size "10 lay_along_y 64x64 2" "2000 all 128x128 2")
 run prescription_power "$(size 40 2000)"
 
 text <<'END'
