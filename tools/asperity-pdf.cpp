@@ -188,7 +188,7 @@ void document(cli::Tool& tool) {
       "those of quantiles where the correlation is estimated. Errors of neighbouring rows are "
       "correlated. Stated over true errors and coverage of the intervals, seen on eleven textures at N_eff "
       "of "
-      "290 to 1230, were 0.92 to 1.13, 92 to 98 % for densities and 0.94 to 1.06, 90 to 97 % for shares of "
+      "290 to 1230, were 0.93 to 1.13, 92 to 98 % for densities and 0.94 to 1.07, 88 to 98 % for shares of "
       "half a Sq. A bin of less than ten counts has the "
       "interval of so many independent points as the next bin has, and an empty one an interval from 0 on; "
       "where fewer than two independent heights tell of a row, it has no standard error. "

@@ -206,7 +206,7 @@ void declare(cli::Tool& tool, Options& what) {
       "neighbouring wave numbers share under a window, and for amplitudes that stray from place to place by "
       "the field's own long waves, unless heights were drawn Gaussian; intervals are those of chi-squared. "
       "Stated over true errors and coverage of the intervals, seen on simulated fields of eleven textures at "
-      "wave numbers 2 to 40, were 0.84 to 1.23, 91 to 99 % at N_eff of 290 to 1230, 0.88 to 1.24, 91 to 99 "
+      "wave numbers 2 to 40, were 0.83 to 1.25, 91 to 99 % at N_eff of 290 to 1230, 0.88 to 1.24, 91 to 99 "
       "% "
       "at 33 to 140, and 0.84 to 1.41, 88 to 99 % at 8 to 35. A density without an error says why in the "
       "column no_error: form, "

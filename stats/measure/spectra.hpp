@@ -9,7 +9,7 @@
 /// Accuracy  stated over true error and coverage of the 95 % intervals, the least and the most of eleven
 ///           textures, Gaussian and not, without a known correlation, at wave numbers 2 to 40 where more than
 ///           half of the fields have an error (validation/error_coverage):
-///           0.84 to 1.23, 91 to 99 % at N_eff 290 to 1230; 0.88 to 1.24, 91 to 99 % at 33 to 140;
+///           0.83 to 1.25, 91 to 99 % at N_eff 290 to 1230; 0.88 to 1.24, 91 to 99 % at 33 to 140;
 ///           0.84 to 1.41, 88 to 99 % at 8 to 35. Intervals rather cover too much, for chance leaves an
 ///           excess of Gaussian heights too.
 /// Cost      at 2048 × 2048 points three times that of a spectrum alone, half as much again where heights

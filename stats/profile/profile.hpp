@@ -26,7 +26,7 @@
 ///           times its slope. p, v of a wave of N points a period are low by up to 5/N².
 ///           Stated over true error and coverage of the 95 % intervals, the least and the most of eleven
 ///           textures, 7 to 43 profiles independent (validation/error_coverage): of means
-///           0.95 to 1.04, 88 to 96 %; of spreads 0.81 to 1.12, 90 to 99 %. After a form of degree 2 means
+///           0.95 to 1.04, 88 to 96 %; of spreads 0.83 to 1.11, 90 to 99 %. After a form of degree 2 means
 ///           have 0.92 to 1.17 and 89 to 98 %, those of plateaus 0.71 to 0.99 and 85 to 95 %: their profiles
 ///           all bend with the error of the form.
 /// Cost      a few passes over the data, one over the correlation.

@@ -21,7 +21,7 @@
 ///
 /// Accuracy  of ratios (Str, gamma, those at 1/e and 10 %) stated over true error and coverage of the 95 %
 ///           intervals, the least and the most of eleven textures, where half of the fields or more have an
-///           error (validation/error_coverage): 0.95 to 1.33, 89 to 97 % at N_eff 290 to 1230;
+///           error (validation/error_coverage): 0.91 to 1.33, 88 to 97 % at N_eff 290 to 1230;
 ///           0.94 to 1.58, 86 to 100 % at 33 to 140; 0.98 to 1.79, 79 to 100 % at 8 to 35.
 ///
 /// S. J. Julier, J. K. Uhlmann, Unscented filtering and nonlinear estimation, Proc. IEEE 92 (2004) 401-422.

@@ -24,8 +24,8 @@
 /// Scope     long_waves.hpp; lags up to half the field.
 /// Accuracy  the error itself is known to 1/√(2K). Stated over true error and coverage of the 95 % intervals,
 ///           the least and the most of eleven textures and of lags 1, 4, 16 (validation/error_coverage), at
-///           N_eff 290 to 1230 and at 33 to 140: of ρ 0.90 to 1.03, 89 to 97 % and 0.81 to 1.19, 88 to 100 %;
-///           of S 0.90 to 1.05, 91 to 96 % and 0.79 to 1.15, 85 to 98 %. The longest lag has the least.
+///           N_eff 290 to 1230 and at 33 to 140: of ρ 0.88 to 1.03, 90 to 98 % and 0.81 to 1.19, 88 to 100 %;
+///           of S 0.90 to 1.04, 91 to 96 % and 0.79 to 1.15, 85 to 98 %. The longest lag has the least.
 /// Cost      for B blocks of bx × by points three transforms of (bx + 2P)(by + 2Q) points each, nine with
 ///           missing heights. Memory: 4K fields over the lags, and five such transforms, of a piece.
 #pragma once

@@ -20,9 +20,9 @@
 /// Symbols   ρ  estimate, 1 at lag zero    λ(f)  where f = t
 /// Accuracy  stated over true error and coverage of the 95 % intervals, the least and the most of eleven
 ///           textures (validation/error_coverage), at N_eff 290 to 1230 and at 33 to 140: of Sal
-///           0.85 to 1.03, 92 to 100 % and 0.76 to 1.23, 90 to 100 %; of lengths at 1/e
-///           0.97 to 1.08, 89 to 96 % and 0.87 to 1.37, 83 to 98 %; at 10 %
-///           0.87 to 1.25, 88 to 97 % and 0.93 to 1.54, 86 to 99 %.
+///           0.88 to 1.07, 90 to 100 % and 0.76 to 1.23, 90 to 100 %; of lengths at 1/e
+///           0.96 to 1.08, 88 to 96 % and 0.87 to 1.37, 83 to 98 %; at 10 %
+///           0.86 to 1.18, 88 to 97 % and 0.93 to 1.54, 86 to 99 %.
 /// Cost      a pass over the lags per end; for Sal one to four simulations, 5 ms each.
 #pragma once
 

@@ -22,7 +22,7 @@
 ///           then a ratio of two sums, both random.
 /// Accuracy  stated over true error and coverage of the 95 % intervals, the least and the most of eleven
 ///           textures at N_eff 290 to 1230 (validation/error_coverage): of densities at three heights
-///           0.92 to 1.13, 92 to 98 %; of shares of half a Sq at four 0.94 to 1.06, 90 to 97 %. Of 200
+///           0.93 to 1.13, 92 to 98 %; of shares of half a Sq at four 0.94 to 1.07, 88 to 98 %. Of 200
 ///           periodic contacts of 128 × 128 cells under one load, with correlation lengths of 1/32 and 1/16
 ///           of the side and some 15 % of the cells in contact, intervals of the quartiles of the pressure
 ///           cover 93 to 99 %, stated over true error 0.94 to 1.05, those of the gap 92 to 98 %, 0.94 to
