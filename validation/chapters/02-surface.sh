@@ -13,7 +13,7 @@ plot '@synthesis_time-4.tsv' using (column('kernel')):4 with linespoints pointty
 END
 table synthesis_time-4
 text <<'END'
-Five more digits of autocorrelation cost two to three times as much per surface, although the kernel has twenty times as many
+Five more digits of autocorrelation cost at most twice as much per surface, although the kernel has twenty times as many
 coefficients: transforms apply it in tiles that stay in the cache, and a wider kernel only wastes a wider margin of each tile.
 
 Cost on N × N heights with a kernel of K × K. `noise` and `transforms` are unavoidable; `ratio` is the time over that of the
