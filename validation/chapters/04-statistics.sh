@@ -73,6 +73,9 @@ and PSm: of heights with two peaks their intervals cover 90 %. Lengths at 10 % l
 their interval is often open. Where the texture has no direction, Str and the ellipticities are biased by up to 1.8 true errors, which
 the intervals allow for. `ratio` is of the rms of stated errors; a few fields with large ones decide it.
 
+A form of a high degree takes the long waves from which Sal is measured: with forms of degree 3, 4 and 6 its intervals cover 91, 89
+and 78 % of 2000 exponential fields of N_eff 577 (`error_coverage 2000 exponential 128x128 3 DEGREE`).
+
 The same of fields of few correlation lengths, N_eff 33 to 140:
 END
 table error_coverage@few-2
