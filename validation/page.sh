@@ -42,9 +42,9 @@ $("$programs/heights_plane" -1 | sed -n '1s/^# //p').
 Compiled with \`$(flags)\`, with $(versions), at commit $(commit).
 
 \`validation/report\` writes this page; the top of each program explains its columns. Seconds are the shortest of at least five
-runs; +N % says by how much the median run took longer. The machine is shared: between two runs of this page all seconds of a table
-grew by up to a factor of two, its ratios by 15 % in the median. Compare ratios. \`r2c\` is one real-to-complex transform by FFTW, timed in the
-same run. \`validation/report --same\` checks that all else is the same in every run.
+runs; +N % says by how much the median run took longer. On one shared machine two runs of this page differed by up to a factor of two
+in all seconds of a table, and by 15 % in the median of its ratios: compare ratios. \`r2c\` is one real-to-complex transform by FFTW,
+timed in the same run. \`validation/report --same\` checks that all else is the same in every run.
 END
 }
 
