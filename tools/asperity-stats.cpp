@@ -144,11 +144,11 @@ void document(cli::Tool& tool) {
       "slowest decay and directions. validation/RESULTS.md has each quantity. Of isotropic surfaces Sal and "
       "Str are low, by up to 1.8 errors. A form of a high degree takes what Sal is measured from: with "
       "forms of degree 3, 4 and 6, intervals of Sal held the true value in 91, 89 and 78 % of exponential "
-      "fields of N_eff = 577. Errors are rough below N_eff = 10, or 20 with an estimated correlation; none are "
-      "given below half of that. Intervals are open where a quantile or a length may lie beyond the field. "
-      "Effective sample sizes of a known correlation are exact, and print a dash. Where the correlation is "
-      "known, errors of the height parameters hold to first order in 1/N_eff. A dash, nan in a pipe, marks a "
-      "quantity without an interval.");
+      "fields of N_eff = 577. Errors are rough below N_eff = 10, or 20 with an estimated correlation; none "
+      "are given below half of that. Intervals are open where a quantile or a length may lie beyond the "
+      "field. Effective sample sizes of a known correlation are exact, and print a dash. Where the "
+      "correlation is known, errors of the height parameters hold to first order in 1/N_eff. A dash, nan in "
+      "a pipe, marks a quantity without an interval.");
 }
 
 }  // namespace
