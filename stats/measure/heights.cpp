@@ -24,7 +24,7 @@ struct Heights {
   const EffectiveSampleSize& size;
   MomentErrors error;
   MomentIntervals interval;
-  std::string of_extremes = {};  ///< why they have no error; "" where twins may give one
+  std::string of_mean = {}, of_extremes = {};  ///< why they have no error; "" where they may have one
 };
 
 template <auto value, auto error, auto interval>
@@ -47,6 +47,7 @@ Estimate moment<&Moments::sku, &MomentErrors::sku, &MomentIntervals::sku>(const 
 constexpr Definition<Heights> height_table[] = {
     {"mean", of_field, "mean height, from which the heights below are measured",
      [](const Heights& h) {
+       if (!h.of_mean.empty()) return Estimate{.value = h.level, .why = h.of_mean};
        const auto& [low, high, why] = h.interval.mean;
        return Estimate{h.level, h.error.mean, Interval::about(h.level, (high - low) / 2)};
      }},
@@ -173,9 +174,11 @@ constexpr Definition<GoodnessOfFit> test_table[] = {
 
 }  // namespace
 
-Parameters height_parameters(const Sample& sample, const MeasureOptions&) {
+Parameters height_parameters(const Sample& sample, const MeasureOptions& options) {
   ParameterList out(sample.surface().units);
   Heights heights = heights_of(sample);
+  if (options.preparation.longer.given())
+    heights.of_mean = "no standard error: the L-filter has taken the long waves that it rests on";
   if (sample.size().gives_errors() && !sample.surface().distribution && sample.distribution())
     heights.of_extremes =
         "no standard error: the extremes of heights that are not Gaussian lie in tails that the field tells "

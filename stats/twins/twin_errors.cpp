@@ -247,7 +247,8 @@ bool errors_by_twins(const Sample& sample, const MeasureOptions& asked, TwinUse 
                      const TwinOptions& options, Parameters& parameters) {
   const TwinScope scope(sample);
   auto wanted = [&](const Parameter& p) {
-    return scope.holds(p) && (use == TwinUse::everywhere || !scope.needs_none(p));
+    const bool of_waves_taken = p.name == "mean" && asked.preparation.longer.given();
+    return scope.holds(p) && !of_waves_taken && (use == TwinUse::everywhere || !scope.needs_none(p));
   };
   if (!sample.size().gives_errors() || std::ranges::none_of(parameters, wanted)) return true;
   if (use == TwinUse::where_quick && !twins_are_quick(sample.grid(), asked)) return false;

@@ -64,6 +64,20 @@ TEST_CASE("a form that leaves next to nothing to tell what it took leaves no err
   CHECK(named(measured(z, Group::height, 6), "Sq").standard_error > 0);
 }
 
+// The mean of the map as read had the error of what the filter left: its interval held the truth in 10 %.
+TEST_CASE("behind an L-filter the mean is that of the map, and has no error, nor by twins",
+          "[reasons][contract]") {
+  const Field z = 3 + moving_average({64, 64}, {3, 3}, 16);
+  const MeasureOptions asked{.preparation = {.longer = {12}}};
+  const Sample sample(prepared({.grid = grid(64, 64), .heights = z}, asked.preparation));
+  Parameters all = measure(sample, Group::height, asked);
+  errors_by_twins(sample, asked, TwinUse::everywhere, {.twins = 10}, all);
+  CHECK(named(all, "mean").value == mean(z));
+  check_reason(all, {"mean"}, "the L-filter has taken the long waves");
+  CHECK(named(all, "Sq").source == "10 twins");
+  CHECK(named(measured(z, Group::height, 2), "mean").standard_error > 0);
+}
+
 TEST_CASE("extremes of heights that are not Gaussian say why they have no error", "[reasons][contract]") {
   const Sample sample(
       prepared({.grid = grid(64, 64), .heights = moving_average({64, 64}, {3, 3}, 14).exp()}, {}));
