@@ -5,12 +5,10 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "tools/cli/ensemble_input.hpp"
-#include "tools/cli/large_file.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/turns.hpp"
 #include "tools/filter/chain.hpp"
-#include "tools/filter/in_strips.hpp"
 #include "tools/measure/preparation_words.hpp"
 
 using namespace asperity;
@@ -52,21 +50,13 @@ class Filter {
 
   int operator()(cli::EnsembleInput& surfaces) {
     if (const std::size_t of = surfaces.resolve(tool_); of > 1) claim(surfaces, of);
-    const std::string& first = surfaces.files.front();
-    if (surfaces.files.size() == 1 && cli::larger_than_memory(first, tool_.memory()) && in_strips()) {
-      tool_.reads(first);
-      cli::filter_in_strips(tool_, chain_, first, variable_, tool_.output_name());
-    } else {
-      surfaces.for_each(
-          tool_, [&](cli::EnsembleMember&& member) { visit(std::move(member)); },
-          [&](const std::string&, const std::string& why) { fail(why, cli::bad_data); });
-    }
+    surfaces.for_each(
+        tool_, [&](cli::EnsembleMember&& member) { visit(std::move(member)); },
+        [&](const std::string&, const std::string& why) { fail(why, cli::bad_data); });
     return code_;
   }
 
  private:
-  // As asperity-stats: a limit that was given forbids the whole map, half of the machine's memory does not.
-  bool in_strips() const { return tool_.given("--memory") || chain_.needs_whole_map().empty(); }
   // Before the work: no output is one of the inputs.
   void claim(const cli::EnsembleInput& surfaces, std::size_t of) {
     for (std::size_t k = 1; k <= of; ++k) tool_.writes("output", output(k, of));
@@ -127,10 +117,6 @@ int main(int argc, char** argv) {
   cli::Chain::declare(tool);
   tool.output();
   tool.threads();
-  tool.memory(
-      "Memory limit for the map. A NetCDF file larger than an eighth of it passes in strips through "
-      "--remove-form of a polynomial, --crop, --decimate, --mirror and --scale; other steps need the whole "
-      "map and are then refused if --memory is given");
   tool.example(
       "asperity-filter map.x3p --remove-form plane --outliers 5 --fill laplace --lambda-s 8um --lambda-c "
       "0.8mm | asperity-stats");

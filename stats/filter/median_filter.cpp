@@ -15,7 +15,6 @@
 namespace asperity {
 namespace {
 
-constexpr double deviation_of_median = 1.4826;  // of Gaussian numbers, 1/Φ⁻¹(3/4)
 constexpr Index absent = -1;
 using Ranks = Eigen::Array<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -124,12 +123,6 @@ void check_side(Index points, Index n) {
                       std::to_string(largest_odd(n)));
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 }  // namespace
 
 Shape median_window(const Grid& grid, double width) {
@@ -154,27 +147,6 @@ Field median_surface(const Field& z, const Grid& grid, Shape window, int threads
     Medians medians(order, grid, window);
     for (Index i = begin; i < end; ++i) medians.row(i, out.row(i));
   });
-  return out;
-}
-
-WithoutOutliers without_outliers(const Field& z, const Grid& grid, Shape window, double k, int threads) {
-  check_parameter(k > 0 && std::isfinite(k), "outliers",
-                  "'" + shortest(k) + "' is not above zero and finite");
-  const Field distance = (z - median_surface(z, grid, window, threads)).abs();
-  std::vector<double> there;
-  for (const double d : distance.reshaped<Eigen::RowMajor>())
-    if (!std::isnan(d)) there.push_back(d);
-  WithoutOutliers out{.heights = z};
-  if (there.empty()) return out;
-  out.deviation = deviation_of_median * median_of(there);
-  if (!(out.deviation > 0) && std::ranges::max(there) > 0)
-    throw DataError("heights",
-                    "more than half of the points equal the median of their window, so that the others' "
-                    "distance from it has no scale: take a larger window");
-  const auto far = (distance > k * out.deviation).eval();
-  out.removed = far.count();
-  out.furthest = far.select(distance, 0).maxCoeff();
-  out.heights = far.select(NAN, z);
   return out;
 }
 

@@ -19,7 +19,6 @@ namespace asperity {
 struct FieldParts {
   Grid grid;
   std::function<Field(Index first, Index count)> rows, columns;
-  int degree = 0;  ///< of the form that was removed before
 };
 
 /// Reads parts of a field above its mean and its form.

@@ -1,4 +1,4 @@
-// Medians of windows, and outliers.
+// Medians of windows.
 #include "stats/filter/median_filter.hpp"
 
 #include <algorithm>
@@ -59,31 +59,4 @@ TEST_CASE("a window has an odd number of points, as many as its width holds", "[
     CHECK_THROWS_AS(median_window(grid, width), ParameterError);
   for (const Shape window : {Shape{2, 3}, Shape{3, 0}, Shape{101, 1}, Shape{-1, 1}})
     CHECK_THROWS_AS(median_surface(Field::Ones(100, 10), grid, window), ParameterError);
-}
-
-// z - m of Gaussian heights and the median of 25, z among them, has the variance 1 + (π/2)/25 - 2/25 = 0.98. The
-// chance of a point beyond 6 is 2e-9.
-TEST_CASE("spikes are outliers, Gaussian heights are not", "[filter][statistics]") {
-  const Grid grid{{80, 80}, 1, 1};
-  Field z = white_noise(grid.shape, 53);
-  z(3, 4) = 30, z(70, 2) = -25, z(40, 40) = 12, z(10, 10) = none;
-  const WithoutOutliers clean = without_outliers(z, grid, {5, 5}, 6);
-  CHECK(clean.removed == 3);
-  CHECK(relative_error(clean.deviation, 0.99) <=
-        4 * 1.17 / 80);  // the median's deviation has an error of 1.17/√N
-  CHECK(std::abs(clean.furthest - 30) <= 2);
-  CHECK(std::isnan(clean.heights(3, 4)));
-  CHECK(clean.heights.isNaN().count() == 4);
-  CHECK(largest_difference(clean.heights, clean.heights.isNaN().select(none, z)) == 0);
-}
-
-TEST_CASE("heights without a scale have no outliers that could be told", "[filter][contract]") {
-  const Grid grid{{20, 20}, 1, 1};
-  Field z = Field::Constant(20, 20, 3);
-  CHECK(without_outliers(z, grid, {3, 3}, 5).removed == 0);
-  z(5, 5) = 4;
-  CHECK_THROWS_AS(without_outliers(z, grid, {3, 3}, 5), DataError);
-  CHECK(without_outliers(Field::Constant(20, 20, none), grid, {3, 3}, 5).removed == 0);
-  for (double k : {0.0, -1.0, std::nan(""), HUGE_VAL})
-    CHECK_THROWS_AS(without_outliers(z, grid, {3, 3}, k), ParameterError);
 }

@@ -1,4 +1,4 @@
-// asperity-filter: the order of its steps, where they come from, what the dataset keeps, several maps, strips.
+// asperity-filter: the order of its steps, where they come from, what the dataset keeps, several maps, memory.
 #include <nlohmann/json.hpp>
 
 #include "stats/filter/form.hpp"
@@ -149,34 +149,13 @@ TEST_CASE("several maps are written by a pattern, and one that fails keeps the o
   CHECK(same_bits(heights_in("h_2.nc"), heights_in("b.nc")));
 }
 
-TEST_CASE("a map larger than memory passes in strips with the same heights, or is refused in one line",
-          "[filter][contract]") {
-  require(draw);
-  Field z = heights_in("map.nc");
-  z(5, 6) = z(70, 1) = NAN;
-  write_map(z, {{96, 64}, 1e-6, 1e-6, true}, "holes.nc");
-  const std::string steps =
-      " --mirror both --scale 2 --remove-form 2 --crop 3:,1:60 --decimate 2x3 --remove-form plane ";
-  for (const std::string name : {"map.nc", "holes.nc"}) {
-    CAPTURE(name);
-    require("asperity-filter -q " + name + steps + "-o whole.nc; asperity-filter -q " + name + steps +
-            "--memory 200kB -o strips.nc; asperity-filter -q " + name + steps + "--memory 200kB > pipe.nc");
-    const Field whole = heights_in("whole.nc"), strips = heights_in("strips.nc");
-    CHECK((whole.isNaN() == strips.isNaN()).all());
-    CHECK((whole - strips).abs().maxCoeff<Eigen::PropagateNumbers>() <= 1e4 * epsilon * 1e-6);
-    CHECK(same_bits(strips, heights_in("pipe.nc")));
-    const Dataset data = read_dataset("strips.nc"), other = read_dataset("whole.nc");
-    CHECK(grid_of(data).shape == grid_of(other).shape);
-    CHECK(grid_of(data).periodic == grid_of(other).periodic);
-    CHECK(data.attributes.number("filter_form_degree", 0) == 2);
-    // The same figures, behind another command.
-    const std::string told = last_run("strips.nc"), its = last_run("whole.nc");
-    CHECK(told.substr(told.find('\n')) == its.substr(its.find('\n')));
-  }
-  const Outcome run = shell("asperity-filter map.nc --scale 2 --median 3px --memory 200kB -o no.nc");
-  CHECK(run.exit == 2);
-  CHECK_THAT(run.error, StartsWith("asperity-filter: --memory: the file's ") &&
-                            ContainsSubstring("but --median 3px needs the whole field; allow more\n"));
+TEST_CASE("a map larger than memory is refused in one line with what it needs", "[filter][contract]") {
+  write_map(random_field({1100, 1000}, 1), {{1100, 1000}, 1e-6, 1e-6}, "large.nc");
+  const Outcome run = shell("asperity-filter large.nc --decimate 2x2 --memory 16MB -o no.nc");
+  CHECK(run.exit == 4);
+  CHECK(run.error ==
+        "asperity-filter: large.nc: dataset: reading needs 18MB, the memory limit is 17MB: raise --memory\n");
+  require("asperity-filter -q large.nc --decimate 2x2 --memory 64MB -o small.nc");
 }
 
 // Errors of a variable that became the map were 14 times too small for the form of the heights, and a form of the

@@ -46,8 +46,7 @@ Chain::Chain(const Tool& tool) {
   if (steps.empty()) throw UsageError("steps", "are missing: give one or more, such as --remove-form plane");
   for (const auto& [option, value] : steps) {
     const StepKind& kind = *std::ranges::find(kinds(), option, &StepKind::option);
-    links_.push_back({option, value, kind.act(value), {}});
-    if (kind.act_on_parts) links_.back().act_on_parts = kind.act_on_parts(value);
+    links_.push_back({option, value, kind.act(value)});
   }
   check_cutoffs(steps);
 }
@@ -62,20 +61,6 @@ Chain::Ran Chain::operator()(const Tool& tool, Surface& surface) const {
     } catch (const ParameterError& error) {
       throw ParameterError(link.option, error.what());
     }
-  return out;
-}
-
-std::string Chain::needs_whole_map() const {
-  for (const Link& link : links_)
-    if (!link.act_on_parts) return "--" + link.words();
-  return "";
-}
-
-std::vector<std::string> Chain::operator()(const Tool& tool, FieldParts& parts,
-                                           const std::string& units) const {
-  std::vector<std::string> out;
-  for (const Link& link : links_)
-    add_line(tool, out, link.words(), link.act_on_parts(parts, tool.memory(), units).words);
   return out;
 }
 

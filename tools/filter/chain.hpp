@@ -20,16 +20,10 @@ class Chain {
   };
   Ran operator()(const Tool& tool, Surface& surface) const;
 
-  /// The first step that needs the whole map; "" if none does.
-  std::string needs_whole_map() const;
-  /// The lines, of steps on the parts of a map.
-  std::vector<std::string> operator()(const Tool& tool, FieldParts& parts, const std::string& units) const;
-
  private:
   struct Link {
     std::string option, value;
     Act act;
-    ActOnParts act_on_parts;  ///< empty: none
 
     std::string words() const { return option + " " + value; }
   };

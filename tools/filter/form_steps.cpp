@@ -1,7 +1,6 @@
 // Form and waves.
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -29,28 +28,13 @@ Act without_form(const std::string& value) {
     WithoutForm found = asperity::without_form(surface.heights, surface.grid, form, tool.thread_count());
     const Field former = std::exchange(surface.heights, std::move(found.heights));
     surface.degree = std::max(surface.degree, form.modes());
-    Removal removal;
-    removal.add(former, surface.heights);
+    const Removal removal(former, surface.heights);
     std::string words = words_of(found, form.kind) + removal.words(surface.units);
-    if (const Index lost = missing_in(surface.heights) - missing_in(former); lost > 0)
-      words += "; " + share_of(lost, former.size()) + " lie beyond it and are missing now";
+    const Index lost = missing_in(surface.heights) - missing_in(former);
+    if (lost > 0) words += "; " + share_of(lost, former.size()) + " lie beyond it and are missing now";
     const bool poor = form.kind != Form::Kind::polynomial && !removal.most();
     if (poor) words += "; no more was removed than is left: --crop the map to the " + form.words();
-    return {words, poor};
-  };
-}
-
-ActOnParts without_form_in_strips(const std::string& value) {
-  const Form form = parse_form("remove-form", value);
-  if (form.kind != Form::Kind::polynomial) return {};
-  return [form](FieldParts& parts, std::size_t memory, const std::string& units) -> Account {
-    const auto above = std::make_shared<StripReader>(parts, form.degree, memory);
-    parts.degree = std::max(parts.degree, form.degree);
-    Removal removal;
-    above->for_each_strip(
-        0, [&](const Field& strip, Index core, Index first) { removal.add(parts.rows(first, core), strip); });
-    parts.rows = [above](Index first, Index count) { return above->strip(first, count); };
-    return {removal.words(units)};
+    return {words, poor || lost > 0};
   };
 }
 
@@ -85,8 +69,7 @@ Act long_waves_removed(const std::string& value) {
 std::vector<StepKind> form_steps() {
   const char* group = "Form and waves";
   return {
-      {"remove-form", form_kind, "Subtract a form: " + form_words, group, without_form,
-       without_form_in_strips},
+      {"remove-form", form_kind, "Subtract a form: " + form_words, group, without_form},
       {"lambda-s", cutoff_kind, "Keep the waves longer than this, by the S-filter. " + filter_words, group,
        short_waves_removed},
       {"lambda-c", cutoff_kind, "Keep the waves shorter than this, by the L-filter. FILTER as of --lambda-s",

@@ -59,9 +59,6 @@ struct Crop {
     if (words.size() != 2) throw UsageError("crop", "'" + value + "' is not of the form A:B,C:D");
     x = range_of(words[0]), y = range_of(words[1]);
   }
-  double share(const Grid& grid) const {
-    return static_cast<double>(of(grid).shape.cells()) / static_cast<double>(grid.shape.cells());
-  }
   // A part of a period is not periodic.
   Grid of(Grid grid) const {
     const Shape now{x.of(grid.shape.nx).size(), y.of(grid.shape.ny).size()};
@@ -74,30 +71,12 @@ struct Crop {
 Act crop(const std::string& value) {
   return [crop = Crop(value)](const Tool&, Surface& surface) {
     const auto [nx, ny] = surface.grid.shape;
-    surface.degree = degree_on_part(surface.degree, surface.grid, crop.share(surface.grid));
-    surface.grid = crop.of(surface.grid);
+    const Grid part = crop.of(surface.grid);
+    const double share = static_cast<double>(part.shape.cells()) / static_cast<double>(nx * ny);
+    surface.degree = degree_on_part(surface.degree, surface.grid, share);
+    surface.grid = part;
     surface.heights = surface.heights(crop.x.of(nx), crop.y.of(ny)).eval();
     return now_has(surface.grid);
-  };
-}
-
-ActOnParts crop_in_strips(const std::string& value) {
-  return [crop = Crop(value)](FieldParts& parts, std::size_t, const std::string&) {
-    const Index width = parts.grid.shape.ny;
-    const auto columns = crop.y.of(width);
-    parts.degree = degree_on_part(parts.degree, parts.grid, crop.share(parts.grid));
-    parts.grid = crop.of(parts.grid);
-    // Read in blocks that are no larger than the part asked for, whatever the width of the whole.
-    parts.rows = [=, begin = crop.x.begin, rows = parts.rows](Index first, Index count) {
-      Field out(count, columns.size());
-      const Index most = std::max<Index>(1, count * columns.size() / width);
-      for (Index i = 0; i < count; i += most) {
-        const Index block = std::min(most, count - i);
-        out.middleRows(i, block) = rows(begin + first + i, block)(Eigen::all, columns);
-      }
-      return out;
-    };
-    return now_has(parts.grid);
   };
 }
 
@@ -125,19 +104,6 @@ Act decimate(const std::string& value) {
     const auto [nx, ny] = surface.grid.shape;
     surface.heights = surface.heights(Eigen::seqN(0, nx, step.nx), Eigen::seqN(0, ny, step.ny)).eval();
     return now_has(surface.grid);
-  };
-}
-
-ActOnParts decimate_in_strips(const std::string& value) {
-  return [step = factors("decimate", value, 1)](FieldParts& parts, std::size_t, const std::string&) {
-    parts.grid = thinned(parts.grid, step);
-    parts.rows = [step, ny = parts.grid.shape.ny, rows = parts.rows](Index first, Index count) {
-      Field out(count, ny);
-      for (Index i = 0; i < count; ++i)
-        out.row(i) = rows((first + i) * step.nx, 1)(0, Eigen::seqN(0, ny, step.ny));
-      return out;
-    };
-    return now_has(parts.grid);
   };
 }
 
@@ -184,36 +150,18 @@ Act rotate(const std::string& value) {
     surface.heights = rotated(surface.heights, surface.grid, angle, tool.thread_count());
     surface.grid = grid;
     const Index outside = missing_in(surface.heights);
-    return {now_has(surface.grid).words + ", " + share_of(outside, surface.heights.size()) + " missing"};
+    return {now_has(surface.grid).words + ", " + share_of(outside, surface.heights.size()) + " missing",
+            outside > 0};
   };
 }
-
-struct Mirror {
-  bool x, y;
-
-  explicit Mirror(const std::string& value)
-      : x(value == "x" || value == "both"), y(value == "y" || value == "both") {
-    if (!x && !y) refuse("mirror", value, "is none of x|y|both");
-  }
-  Account told() const { return {x && y ? "x and y reversed" : x ? "x reversed" : "y reversed"}; }
-};
 
 Act mirror(const std::string& value) {
-  return [mirror = Mirror(value)](const Tool&, Surface& surface) {
-    if (mirror.x) surface.heights = mirrored(surface.heights, Axis1D::x);
-    if (mirror.y) surface.heights = mirrored(surface.heights, Axis1D::y);
-    return mirror.told();
-  };
-}
-
-ActOnParts mirror_in_strips(const std::string& value) {
-  return [mirror = Mirror(value)](FieldParts& parts, std::size_t, const std::string&) {
-    parts.rows = [mirror, nx = parts.grid.shape.nx, rows = parts.rows](Index first, Index count) {
-      Field out = rows(mirror.x ? nx - first - count : first, count);
-      if (mirror.x) out = mirrored(out, Axis1D::x);
-      return mirror.y ? mirrored(out, Axis1D::y) : out;
-    };
-    return mirror.told();
+  const bool x = value == "x" || value == "both", y = value == "y" || value == "both";
+  if (!x && !y) refuse("mirror", value, "is none of x|y|both");
+  return [x, y](const Tool&, Surface& surface) -> Account {
+    if (x) surface.heights = mirrored(surface.heights, Axis1D::x);
+    if (y) surface.heights = mirrored(surface.heights, Axis1D::y);
+    return {x && y ? "x and y reversed" : x ? "x reversed" : "y reversed"};
   };
 }
 
@@ -224,9 +172,9 @@ std::vector<StepKind> grid_steps() {
   return {
       {"crop", "A:B,C:D",
        "Keep points A to B-1 in x and C to D-1 in y; the first point is 0, an omitted end is the map's edge",
-       group, crop, crop_in_strips},
+       group, crop},
       {"decimate", "AxB", "Keep every A-th point in x and every B-th in y, or every A-th in both", group,
-       decimate, decimate_in_strips},
+       decimate},
       {"refine", "AxB",
        "Put A times as many points in x and B times in y, or A for both, between those of the map, by its "
        "own waves: trigonometric interpolation of a periodic map, mirrored cosines above a form of degree 2 "
@@ -240,8 +188,7 @@ std::vector<StepKind> grid_steps() {
        "Turn the map counter-clockwise, from +x towards +y: 30deg. Its corners are missing then, except at "
        "quarter turns",
        group, rotate},
-      {"mirror", "x|y|both", "Reverse the order of the points along x, y or both", group, mirror,
-       mirror_in_strips},
+      {"mirror", "x|y|both", "Reverse the order of the points along x, y or both", group, mirror},
       {"make-periodic", "AXIS[,HOW]", seam_text, group, make_periodic}};
 }
 

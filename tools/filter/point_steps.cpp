@@ -11,6 +11,8 @@
 #include "stats/filter/fill.hpp"
 #include "stats/filter/median_filter.hpp"
 #include "stats/filter/morphology.hpp"
+#include "stats/filter/outliers.hpp"
+#include "stats/height/height_steps.hpp"
 #include "tools/filter/step.hpp"
 #include "tools/measure/preparation_words.hpp"
 
@@ -41,24 +43,25 @@ Act by_ball(const char* option, const std::string& value) {
 Act closed(const std::string& value) { return by_ball<closing>("closing", value); }
 Act opened(const std::string& value) { return by_ball<opening>("opening", value); }
 
-// The window of a width in samples, or in metres.
+// The points of a width in samples, or in metres.
 Shape window_of(const SampledLength& width, const Grid& grid) {
   if (!width.samples) return median_window(grid, width.value);
   const auto count = [&](Index n) { return std::min(static_cast<Index>(width.value), (n - 1) / 2 * 2 + 1); };
   return {count(grid.shape.nx), count(grid.shape.ny)};
 }
 
-// "5px" are whole and odd.
-SampledLength width_of(const std::string& option, const std::string& text) {
+// "5px" are whole and, from `least` on, odd.
+SampledLength width_of(const std::string& option, const std::string& text, int least) {
   const SampledLength width = parse_length(option, text);
-  const bool odd = std::fmod(width.value, 2) == 1 && width.value >= 3 && width.value <= 1 << 20;
-  if (width.samples && !odd) refuse(option, text, "is not an odd number of points, 3px or more");
+  const bool odd = std::fmod(width.value, 2) == 1 && width.value >= least && width.value <= 1 << 20;
+  if (width.samples && !odd)
+    refuse(option, text, "is not an odd number of points, " + std::to_string(least) + "px or more");
   if (!(width.value > 0 && std::isfinite(width.value))) refuse(option, text, "is not a positive length");
   return width;
 }
 
 Act median(const std::string& value) {
-  return [width = width_of("median", value)](const Tool& tool, Surface& surface) -> Account {
+  return [width = width_of("median", value, 3)](const Tool& tool, Surface& surface) -> Account {
     const Shape window = window_of(width, surface.grid);
     Field now = median_surface(surface.heights, surface.grid, window, tool.thread_count());
     const Field former = std::exchange(surface.heights, std::move(now));
@@ -66,21 +69,49 @@ Act median(const std::string& value) {
   };
 }
 
+// "2.1nm over 1 point, 6.3nm over 3".
+std::string words_of(const std::vector<Outliers::Scale>& scales, bool profile, const std::string& units) {
+  std::string out;
+  for (const auto& [width, deviation] : scales) {
+    if (std::isnan(deviation)) continue;
+    const Index points = std::max(width.nx, width.ny);
+    const bool oblong = !profile && width.nx != width.ny;
+    out += (out.empty() ? "" : ", ") + figure(deviation, units) + " over " +
+           (oblong        ? text(width)
+            : out.empty() ? counted(points, "point")
+                          : std::to_string(points));
+  }
+  return out;
+}
+
+std::string words_of(const Outliers& found, double bound, const std::string& units) {
+  const auto all = static_cast<double>(found.heights.size());
+  std::string out =
+      share_of(found.removed, found.heights.size()) +
+      " made missing: " + (found.removed > 0 ? "they stand" : "none stands") +
+      " out from all sides by more than " + shortest(bound) + " standard deviations of the surface there (" +
+      words_of(found.scales, found.heights.rows() == 1 || found.heights.cols() == 1, units) + ")";
+  if (static_cast<double>(found.removed) > std::max(5.0, 1e-4 * all))
+    out += "; or the surface itself is spiky: " + in_digits(100 * found.spiky, 2) +
+           " % of all heights lie beyond " + shortest(bound) + " robust deviations";
+  return out;
+}
+
 Act outliers(const std::string& value) {
   const std::size_t comma = std::min(value.find(','), value.size());
   const auto bound = to_number<double>(value.substr(0, comma));
   if (!bound || !(*bound > 0 && std::isfinite(*bound)))
     refuse("outliers", value, "does not begin with a number of deviations above 0");
-  const SampledLength width = width_of("outliers", comma == value.size() ? "5px" : value.substr(comma + 1));
+  const SampledLength width =
+      width_of("outliers", comma == value.size() ? "3px" : value.substr(comma + 1), 1);
   return [bound = *bound, width](const Tool& tool, Surface& surface) -> Account {
-    WithoutOutliers found = without_outliers(surface.heights, surface.grid, window_of(width, surface.grid),
-                                             bound, tool.thread_count());
+    const HeightSteps steps = height_steps(surface.heights);
+    Outliers found = without_outliers(
+        surface.heights, surface.grid,
+        {bound, window_of(width, surface.grid), steps.values > 2 ? steps.step : 0}, tool.thread_count());
+    std::string words = words_of(found, bound, surface.units);
     surface.heights = std::move(found.heights);
-    std::string words = share_of(found.removed, surface.heights.size()) + " made missing";
-    if (found.removed > 0)
-      words += fmt::format(", up to {} from the median of their window, where a deviation is {}",
-                           figure(found.furthest, surface.units), figure(found.deviation, surface.units));
-    return {words};
+    return {std::move(words), true};
   };
 }
 
@@ -93,28 +124,15 @@ Act fill(const std::string& value) {
     const Index holes = missing_in(surface.heights);
     surface.heights = filled(std::move(surface.heights), surface.grid, filling);
     surface.filled += static_cast<double>(holes) / static_cast<double>(surface.heights.size());
-    return {"filled " + share_of(holes, surface.heights.size())};
+    return {"filled " + share_of(holes, surface.heights.size()), true};
   };
-}
-
-double factor_of(const std::string& value) {
-  const auto factor = to_number<double>(value);
-  if (!factor || *factor == 0 || !std::isfinite(*factor)) refuse("scale", value, "is not a number besides 0");
-  return *factor;
 }
 
 Act scale(const std::string& value) {
-  return [factor = factor_of(value)](const Tool&, Surface& surface) -> Account {
+  const auto factor = to_number<double>(value);
+  if (!factor || *factor == 0 || !std::isfinite(*factor)) refuse("scale", value, "is not a number besides 0");
+  return [factor = *factor](const Tool&, Surface& surface) -> Account {
     surface.heights *= factor;
-    return {"multiplied by " + shortest(factor)};
-  };
-}
-
-ActOnParts scale_in_strips(const std::string& value) {
-  return [factor = factor_of(value)](FieldParts& parts, std::size_t, const std::string&) -> Account {
-    parts.rows = [factor, rows = parts.rows](Index first, Index count) -> Field {
-      return rows(first, count) * factor;
-    };
     return {"multiplied by " + shortest(factor)};
   };
 }
@@ -130,15 +148,14 @@ std::vector<StepKind> point_steps() {
       {"opening", "RADIUS", "Cut the summits that a ball does not reach from below", group, opened},
       {"median", "WIDTH", "Put the median of a window in place of each height; 5px, 10um", group, median},
       {"outliers", "K[,WIDTH]",
-       "Make points missing that lie further than K robust standard deviations from the median of the "
-       "window around them; 5, 5,10um. Default WIDTH: 5px",
+       "Make points missing that stand out from all sides by more than K standard deviations of the surface "
+       "there, alone or up to WIDTH wide; 5, 5,3px, 5,2um. Default WIDTH: 3px",
        points, outliers},
       {"fill", "laplace|mean|least",
        "Fill missing points; laplace: with a membrane over each hole (Laplace's equation), mean: with the "
        "mean height, least: with the smallest height",
        points, fill},
-      {"scale", "NUMBER", "Multiply the heights; -1 turns summits into valleys", points, scale,
-       scale_in_strips}};
+      {"scale", "NUMBER", "Multiply the heights; -1 turns summits into valleys", points, scale}};
 }
 
 }  // namespace asperity::cli

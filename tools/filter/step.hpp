@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "stats/measure/strips.hpp"
 #include "stats/measure/surface.hpp"
 #include "tools/cli/tool.hpp"
 
@@ -20,16 +19,12 @@ struct Account {
 
 using Act = std::function<Account(const Tool&, Surface&)>;
 
-/// Of a map that stays in its file: what its parts become.
-using ActOnParts = std::function<Account(FieldParts&, std::size_t memory, const std::string& units)>;
-
 struct StepKind {
   const char *option, *kind;  ///< "crop", "A:B,C:D"
   std::string text;
   const char* group;
   /// Reads the value before the map is there; throws ParameterError(option, …).
   Act (*act)(const std::string& value);
-  ActOnParts (*act_on_parts)(const std::string& value) = nullptr;  ///< none: needs the whole map
 };
 
 std::vector<StepKind> form_steps();   ///< form and waves
@@ -40,26 +35,22 @@ std::vector<StepKind> grid_steps();   ///< crop, decimate, refine, spacing, rota
 
 /// "3.2um" to four digits; of a field in other units "3.2 V".
 std::string figure(double value, const std::string& units);
-/// What left a map, and what is left of it, by its mean and its rms about that: sums over strips.
-class Removal {
- public:
-  void add(const Field& before, const Field& after);
+struct Spread {
+  double mean = 0, rms = 0;  ///< rms about the mean; both zero where all is missing
+  explicit Spread(const Field& z);
+};
+/// What left a map, and what is left of it.
+struct Removal {
+  Spread gone, left;
+
+  Removal(const Field& before, const Field& after) : gone(before - after), left(after) {}
   /// "removed 3.2um rms about a mean of 12um; 0.4um rms is left".
   std::string words(const std::string& units) const;
   /// Whether more went than is left, by their rms.
-  bool most() const { return gone_.rms() > left_.rms(); }
-
- private:
-  struct Spread {
-    double base = 0, sum = 0, squares = 0, count = 0;
-    void add(const Field& z);
-    double mean() const { return count > 0 ? base + sum / count : 0; }
-    double rms() const;
-  };
-  Spread gone_, left_;
+  bool most() const { return gone.rms > left.rms; }
 };
 std::string removed(const Field& before, const Field& after, const std::string& units);
-/// "31 of 1024 points".
+/// "31 of 1024 points (3 %)".
 std::string share_of(Index points, Index all);
 /// Points that are missing.
 Index missing_in(const Field& z);
