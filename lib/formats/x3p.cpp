@@ -6,14 +6,14 @@
 ///     Record3          MatrixDimension SizeX, SizeY, SizeZ; DataLink to a file of numbers, little-endian,
 ///                      x fastest, with its MD5; or DataList, a Datum for each number
 ///     md5checksum.hex  the MD5 of main.xml
-/// Lengths are metres. Floats are metres too, whatever Increment says, as in iso5436_2.xsd, openGPS and
-/// x3ptools; Gwyddion and SurfaceTopography multiply them: a note tells. R must keep points on their grid:
-/// half and quarter turns about z, mirrors, and a map turned over, whose heights change their sign; a note
-/// tells. A missing point is NaN or infinite (Alicona), an empty Datum, or one whose bit (least significant
-/// first) is 0 in the file named by ValidPointsLink. Integers are signed, as in openGPS and Gwyddion, unlike
-/// SurfaceTopography. Name spaces of elements are ignored. Checksums are optional but must be correct.
-/// main.xml may be in a folder, from which its links lead. Profiles (PRF), point clouds (PCL) and more than
-/// one layer are refused. main.xml without its DataList may have 1 MiB, and md5checksum.hex 64 KiB.
+/// Lengths are metres, and so are floats, whatever Increment says: as in iso5436_2.xsd, openGPS and x3ptools,
+/// while Gwyddion and SurfaceTopography multiply; a note tells. R must keep the points on their grid (half
+/// and quarter turns about z, mirrors, a map turned over, whose heights change their sign); a note tells. A
+/// missing point is NaN or infinite (Alicona), an empty Datum, or one whose bit (least significant first) is
+/// 0 in the file named by ValidPointsLink. Integers are signed, as in openGPS and Gwyddion, unlike
+/// SurfaceTopography. Ignored are name spaces of elements, the name of the root, and the folder of main.xml,
+/// from which links lead. Checksums are optional but must be correct. Profiles (PRF), point clouds (PCL) and
+/// more than one layer are refused. main.xml without its DataList may have 1 MiB, and md5checksum.hex 64 KiB.
 ///
 /// Memory    of reading, twice the map, and main.xml. A DataList is parsed in pieces.
 ///
@@ -61,8 +61,8 @@ constexpr std::string_view elsewhere = "@";  // replaces a list cut out of main.
     for (const auto& [part, words] : kinds)
       if (entry.find(part) != entry.npos) refuse("the archive holds {}", words);
   refuse(
-      "the archive, of {}, is not X3P: main.xml is missing. Extract the map, or, if an instrument wrote "
-      "it, try Gwyddion (`from` gwyddion)",
+      "the zip archive, with {}, is not X3P, for main.xml is missing: extract its map, or try Gwyddion if an "
+      "instrument wrote it (`from` gwyddion)",
       quoted(name));
 }
 
@@ -75,8 +75,9 @@ std::string read_main(const ZipArchive& archive, const MemoryBound& memory) {
   return archive.read(main_file);
 }
 
-void check_md5(std::string_view digits, std::string_view expected, std::string_view name) {
-  if (lower(expected) != digits) refuse("{} is damaged: its checksum is wrong", name);
+void check_md5(std::string_view digits, std::string_view expected, std::string_view name,
+               std::string_view way_out = "") {
+  if (lower(expected) != digits) refuse("{} is damaged: its checksum is wrong{}", name, way_out);
 }
 
 // Each line is a checksum and a file name; other programs put an asterisk or a path before the name.
@@ -89,7 +90,8 @@ void check_main(const ZipArchive& archive, std::string_view main) {
     const std::string_view line = trimmed(take_line(rest)),
                            digits = line.substr(0, line.find_first_of(" \t*"));
     if (line.empty()) continue;
-    if (digits.size() == line.size() || line.ends_with(main_file)) check_md5(found, digits, main_file);
+    if (digits.size() == line.size() || line.ends_with(main_file))
+      check_md5(found, digits, main_file, " (was it edited? Then leave out md5checksum.hex)");
   }
 }
 
@@ -173,7 +175,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
   pugi::xml_document document;
   if (const auto parsed = document.load_buffer_inplace(rest.data(), rest.size()); !parsed)
     refuse("main.xml is not valid XML: {}", parsed.description());
-  const pugi::xml_node root = child(document, "ISO5436_2"), third = child(root, "Record3"),
+  const pugi::xml_node root = document.document_element(), third = child(root, "Record3"),
                        link = child(third, "DataLink");
   if (link && child(third, "DataList")) refuse("main.xml has both a DataLink and a DataList: omit one");
   const Head head = head_of(root);

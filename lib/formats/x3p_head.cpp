@@ -97,26 +97,26 @@ Eigen::Array33i rotation_in(pugi::xml_node node) {
   return out;
 }
 
-// "x = -y, y = x, z = z" of the numbers as they are stored.
-std::string words_of(const Eigen::Array33i& rotation) {
+// Where a point goes: "(-y, x, z)".
+std::string place_by(const Eigen::Array33i& rotation) {
   std::string out;
   for (Index i = 0; i < 3; ++i)
     for (Index j = 0; j < 3; ++j)
       if (rotation(i, j) != 0)
-        out +=
-            fmt::format("{}{} = {}{}", i > 0 ? ", " : "", "xyz"[i], rotation(i, j) < 0 ? "-" : "", "xyz"[j]);
-  return out;
+        out += fmt::format("{}{}{}", i > 0 ? ", " : "(", rotation(i, j) < 0 ? "-" : "", "xyz"[j]);
+  return out + ")";
 }
 
 }  // namespace
 
 Head head_of(pugi::xml_node root) {
   const pugi::xml_node first = child(root, "Record1"), axes = child(first, "Axes");
+  if (!first) refuse("main.xml is not that of an X3P: Record1 is missing");
   const std::string_view feature = text_of_child(first, "FeatureType");
   if (!feature.empty() && feature != "SUR")
     refuse(
-        "FeatureType {} in main.xml is not supported, only SUR, a surface: write others as text, columns x z "
-        "or x y z",
+        "FeatureType {} in main.xml is not supported, only SUR, a surface: write a profile or points as "
+        "text, columns x z or x y z",
         quoted(feature));
   const pugi::xml_node dimensions = child(child(root, "Record3"), "MatrixDimension");
   if (size_in(dimensions, "SizeZ") != 1) refuse("the file has more than one layer: SizeZ is not 1");
@@ -124,9 +124,9 @@ Head head_of(pugi::xml_node root) {
            .spacing = {spacing_of(axes, "CX"), spacing_of(axes, "CY")},
            .rotation = rotation_in(child(axes, "Rotation"))};
   take_heights(out, child(axes, "CZ"));
-  if ((out.rotation.matrix() != Eigen::Matrix3i::Identity()))
-    out.understood += fmt::format("{}turned by Rotation in main.xml, {}", out.understood.empty() ? "" : "; ",
-                                  words_of(out.rotation));
+  if (out.rotation.matrix() != Eigen::Matrix3i::Identity())
+    out.understood += fmt::format("{}Rotation in main.xml takes points (x, y, z) to {}",
+                                  out.understood.empty() ? "" : "; ", place_by(out.rotation));
   return out;
 }
 
