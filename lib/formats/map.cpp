@@ -26,9 +26,6 @@ Grid grid_of(const Map& map) {
   return {shape_of(map.values), map.spacing[0], map.spacing[1], map.periodic};
 }
 
-// A product is NaN where the value is none: one fast pass.
-bool all_finite(const Field& values) { return (0.0 * values).sum() == 0; }
-
 // The range omits missing points.
 void set_with_missing(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
   set_field(dataset, name, values.isNaN().select(fill, values), meaning);
@@ -70,16 +67,15 @@ void set_units(Map& map, std::string_view unit) {
 }
 
 void leave_out_infinite(Map& map) {
-  if (all_finite(map.values)) return;
   const Index count = map.values.isInf().count();
   if (count == 0) return;
   map.values = map.values.isInf().select(Map::unknown, map.values);
   if (!map.understood.empty()) map.understood += "; ";
-  map.understood += counted(count, "infinite value") + (count == 1 ? " is missing" : " are missing");
+  map.understood += counted(count, "infinite value") + " read as missing";
 }
 
 void require_finite(const Map& map) {
-  if (!all_finite(map.values) && map.values.isInf().any()) refuse("a value is infinite in metres");
+  if (map.values.isInf().any()) refuse("a value is infinite in metres");
 }
 
 void check_size(const Map& map, const std::string& format) {
@@ -110,7 +106,8 @@ Dataset dataset_of(const Map& map) {
   const std::string name = heights ? "heights" : "values", units = heights ? "m" : map.units,
                     words = map.title.empty() ? name : one_line(map.title);
   if (!map.history.empty()) out.attributes.set("history", map.history);
-  const bool finite = all_finite(map.values);
+  const bool finite =
+      (0.0 * map.values).sum() == 0;  // a product is NaN where the value is none: one fast pass
   if (!finite && map.values.isInf().any()) throw DataError(name, "a value is infinite");
   if (map.values.isNaN().all()) throw DataError(name, "all points are missing");
   if (!finite)

@@ -1,5 +1,6 @@
 #include "formats/x3p_head.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "formats/refuse.hpp"
@@ -79,21 +80,24 @@ void take_heights(Head& head, pugi::xml_node z) {
 // To the round-off of single precision, which has 4e-8 for cos 90°.
 Eigen::Array33i rotation_in(pugi::xml_node node) {
   constexpr double round_off = 1e-7;
+  constexpr char way_out[] =
+      "turn them in the program that wrote them, or take them as stored (`from` gwyddion)";
   Eigen::Array33i out = Eigen::Matrix3i::Identity();
   if (!node.first_child()) return out;
-  const auto fits = [](double element) { return std::abs(element - std::round(element)) <= round_off; };
   for (Index i = 0; i < 3; ++i)
     for (Index j = 0; j < 3; ++j) {
       const std::string name = fmt::format("r{}{}", i + 1, j + 1);
-      const double element = number_in(node, name, Map::unknown);
-      if (!fits(element))
-        refuse("Rotation in main.xml takes the points off their grid: {} is {}, not -1, 0 or 1", name,
-               shortest(element));
-      out(i, j) = static_cast<int>(std::round(element));
+      const double element = number_in(node, name, Map::unknown),
+                   whole = std::clamp(std::round(element), -1.0, 1.0);
+      if (!(std::abs(element - whole) <= round_off))
+        refuse("Rotation in main.xml takes the points off their grid, {} is {}: {}", name, shortest(element),
+               way_out);
+      out(i, j) = static_cast<int>(whole);
     }
-  const Eigen::Array33i size = out.abs();
-  if ((size.rowwise().sum() != 1).any() || (size.colwise().sum() != 1).any() || size(2, 2) != 1)
-    refuse("Rotation in main.xml does not take x and y to x and y, and z to z");
+  const Eigen::Array33i sizes = out.abs();
+  if ((sizes.rowwise().sum() != 1).any() || (sizes.colwise().sum() != 1).any() || sizes(2, 2) != 1)
+    refuse("Rotation in main.xml takes the points off their grid, x and y not to x and y, or z not to z: {}",
+           way_out);
   return out;
 }
 

@@ -130,13 +130,13 @@ TEST_CASE("an infinite number in a binary file is a missing point, and told", "[
     const Format& format = format_named(name, "from");
     const Map read = format.decode(format.encode(map, Order::xy), Order::xy);
     CHECK(same(read.values, expected.values));
-    CHECK(read.understood == "2 infinite values are missing");
+    CHECK(read.understood == "2 infinite values read as missing");
   }
   std::string gsf = format::gsf.encode({.values = Field::Zero(2, 2), .units = "µm"}, Order::xy);
   gsf.replace(gsf.size() - 4, 4, bytes_of(-HUGE_VALF, std::endian::little).data(), 4);
   const Map read = format::gsf.decode(gsf, Order::xy);
   CHECK(std::isnan(read.values(1, 1)));
-  CHECK(read.understood == "1 infinite value is missing");
+  CHECK(read.understood == "1 infinite value read as missing");
 }
 
 TEST_CASE("numbers of every type, byte order and order of indices come back", "[formats][exact]") {
