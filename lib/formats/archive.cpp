@@ -113,15 +113,41 @@ zip_int64_t answer(void* sink, void* data, zip_uint64_t length, zip_source_cmd_t
 
 std::string named(const std::string& name) { return fmt::format("'{:.64}' in the archive", name); }
 
+std::string with_strokes(std::string name) {
+  std::ranges::replace(name, '\\', '/');
+  return name.starts_with("./") ? name.substr(2) : name;
+}
+
+std::vector<std::string> names_in(zip_t* archive) {
+  std::vector<std::string> out(static_cast<std::size_t>(zip_get_num_entries(archive, 0)));
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (const char* name = zip_get_name(archive, i, 0)) out[i] = with_strokes(name);
+  return out;
+}
+
+// Of the one entry with that name, with its stroke; "" if there is none.
+std::string folder_of(std::string_view top, const std::vector<std::string>& names) {
+  const std::string end = fmt::format("/{}", top);
+  const auto is_top = [&](const std::string& name) { return ("/" + name).ends_with(end); };
+  const auto found = std::ranges::find_if(names, is_top);
+  if (found == names.end()) return "";
+  const auto other = std::find_if(found + 1, names.end(), is_top);
+  if (other != names.end())
+    refuse("the archive holds '{:.64}' and '{:.64}': put each map into its own", *found, *other);
+  return found->substr(0, found->size() - top.size());
+}
+
 class LibzipArchive : public ZipArchive {
  public:
-  explicit LibzipArchive(std::string_view bytes) {
+  LibzipArchive(std::string_view bytes, std::string_view top) {
     const Source source = owned(zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr));
     archive_.reset(opened(source.get(), ZIP_RDONLY));
     refuse_more(bytes);
     if (!archive_) refuse("the file is not a zip archive, or is cut short");
+    names_ = names_in(archive_.get());
+    const std::string folder = folder_of(top, names_);
+    for (std::string& name : names_) name = name.starts_with(folder) ? name.substr(folder.size()) : "";
   }
-  bool has(const std::string& name) const override;
   Entry entry(const std::string& name) const override;
   std::string read(const std::string& name) const override;
 
@@ -129,15 +155,14 @@ class LibzipArchive : public ZipArchive {
   std::unique_ptr<zip_t, Release<zip_discard>> archive_;
 };
 
-bool LibzipArchive::has(const std::string& name) const {
-  return zip_name_locate(archive_.get(), name.c_str(), 0) >= 0;
-}
-
 ZipArchive::Entry LibzipArchive::entry(const std::string& name) const {
-  const zip_int64_t index = zip_name_locate(archive_.get(), name.c_str(), 0);
-  if (index < 0) refuse("{} is missing", named(name));
+  const std::string own = with_strokes(name);
+  const auto found = std::ranges::find(names_, own);
+  if (own.empty() || found == names_.end()) refuse("{} is missing", named(name));
+  if (std::find(found + 1, names_.end(), own) != names_.end())
+    refuse("{} is there twice: which counts is not told, write it once", named(name));
   zip_stat_t stat;
-  const auto place = static_cast<zip_uint64_t>(index);
+  const auto place = static_cast<zip_uint64_t>(found - names_.begin());
   constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
   if (zip_stat_index(archive_.get(), place, 0, &stat) != 0 || (stat.valid & needed) != needed)
     refuse("{} has no size", named(name));
@@ -174,8 +199,8 @@ std::string LibzipArchive::read(const std::string& name) const {
 
 using namespace asperity;
 
-void asperity_open_zip(std::string_view bytes, std::unique_ptr<ZipArchive>& out) {
-  out = std::make_unique<LibzipArchive>(bytes);
+void asperity_open_zip(std::string_view bytes, std::string_view top, std::unique_ptr<ZipArchive>& out) {
+  out = std::make_unique<LibzipArchive>(bytes, top);
 }
 
 void asperity_make_zip(std::span<const ZipEntry> entries, std::string& out) {

@@ -3,10 +3,10 @@
 
 namespace asperity {
 
-std::unique_ptr<ZipArchive> ZipArchive::open(std::string_view bytes) {
+std::unique_ptr<ZipArchive> ZipArchive::open(std::string_view bytes, std::string_view top) {
   static const auto open_zip = ASPERITY_FROM_MODULE("asperity_zip", asperity_open_zip);
   std::unique_ptr<ZipArchive> out;
-  open_zip(bytes, out);
+  open_zip(bytes, top, out);
   return out;
 }
 

@@ -44,6 +44,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
   Map map{.values = field_from(numbers, shape, floats, reading.memory),
           .title = std::string(head.text("Title"))};
   map.spacing = {spacing_of(head, "XReal", shape.nx), spacing_of(head, "YReal", shape.ny)};
+  leave_out_infinite(map);
   if (const std::string_view units = head.text("ZUnits"); !units.empty()) set_units(map, units);
   return map;
 }

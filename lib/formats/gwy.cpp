@@ -118,6 +118,7 @@ Map map_of(const Parts& parts, const MemoryBound& memory) {
   const GwyField field = field_in(parts.data);
   Map map{.values = field_from(field.data, field.shape, {}, memory), .title = std::string(parts.title)};
   if (!parts.mask.empty()) leave_out_masked(map.values, field_in(parts.mask));
+  leave_out_infinite(map);
   map.spacing = {spacing_of(field.size[0], field.shape.nx, field.unit_xy, "xreal"),
                  spacing_of(field.size[1], field.shape.ny, field.unit_xy, "yreal")};
   if (!field.unit.empty()) set_units(map, field.unit);

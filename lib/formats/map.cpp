@@ -63,6 +63,18 @@ void set_units(Map& map, std::string_view unit) {
   }
   map.units = "m";
   if (factor != 1) map.values *= factor;
+  require_finite(map);
+}
+
+void leave_out_infinite(Map& map) {
+  const Index count = map.values.isInf().count();
+  if (count == 0) return;
+  map.values = map.values.isInf().select(Map::unknown, map.values);
+  if (!map.understood.empty()) map.understood += "; ";
+  map.understood += counted(count, "infinite value") + " read as missing";
+}
+
+void require_finite(const Map& map) {
   if (map.values.isInf().any()) refuse("a value is infinite in metres");
 }
 

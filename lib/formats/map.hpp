@@ -54,7 +54,7 @@ struct Map {
   std::string title = {};       ///< the channel's name, or ""
   decltype(Grid::periodic) periodic = {};
   std::string history = {};     ///< "time: command" of another program that read the file, or ""
-  std::string understood = {};  ///< how a text was read, for a person: one line, or ""
+  std::string understood = {};  ///< how a file was read, for a person: one line, or ""
 };
 
 /// Metres per unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) for others.
@@ -62,12 +62,17 @@ double metres_per(std::string_view unit);
 /// Converts lengths to metres; other values stay. Throws DataError("map", …) when a value becomes infinite.
 void set_units(Map& map, std::string_view unit);
 
+/// In binary files an infinity is no height either: it becomes missing, and `understood` tells.
+void leave_out_infinite(Map& map);
+/// Throws DataError("map", …) when a value is infinite in metres.
+void require_finite(const Map& map);
+
 /// Throws DataError("map", …) for a map of unknown size, which `format` needs.
 void check_size(const Map& map, const std::string& format);
 /// Also for a quantity that is not a length, which `format` cannot hold.
 void check_heights(const Map& map, const std::string& format);
 
-/// For a person: that another program read the file, and how a text was read.
+/// For a person: that another program read the file, and how it was read.
 std::vector<std::string> notes_of(const Map& map);
 /// As a dataset with x, y and `heights`, or `values` if the quantity is not a length; missing points become
 /// `mask` and _FillValue. Without a unit, metres are assumed. Throws DataError("x", …) when the map has no

@@ -168,6 +168,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
                       described.fortran == (reading.order == Order::xy) ? Order::yx : Order::xy};
   Map map{.values = field_from(bytes, shape, raster, reading.memory)};
   if (described.descr.substr(1) == half) map.values = map.values.unaryExpr(&half_of_bits);
+  leave_out_infinite(map);
   return map;
 }
 

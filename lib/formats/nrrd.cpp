@@ -232,6 +232,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
   Map map{.values = values_of(head, bytes, axes.shape, reading),
           .spacing = spacing,
           .title = std::string(head.text("content"))};
+  leave_out_infinite(map);
   orient(map.values, head, axes);
   const std::string_view stated = field(head, "sample units"),
                          units = stated.starts_with('"') ? word(head, "sample units", 0) : stated;

@@ -78,7 +78,9 @@ void check(const Described& d) {
 Map heights_of(Field values, const Described& d) {
   const bool known = d.dy > 0 && std::isfinite(d.dy);  // of a single line it may not be
   Map map{.values = std::move(values), .spacing = {d.dx, known ? d.dy : Map::unknown}, .units = "m"};
+  leave_out_infinite(map);
   if (d.unit != 1) map.values *= d.unit;
+  require_finite(map);
   return map;
 }
 

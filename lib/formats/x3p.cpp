@@ -1,15 +1,19 @@
 /// X3P, ISO 5436-2 and ISO 25178-72: a zip archive with main.xml, which describes the map, and its numbers.
 ///
-///     Record1/Axes     CX, CY: AxisType I, Increment [m]; CZ: DataType I (int16), L (int32), F, D, and
-///                      Increment (default 1) and Offset (default 0) [m], factor and shift of the numbers
+///     Record1/Axes     CX, CY: AxisType I, Increment [m]; CZ: DataType I (int16), L (int32), F, D, Increment
+///                      [m] of integers, and Offset (default 0) [m]
+///                      Rotation: r11 … r33 of Q = R P + T, the place of a point, with T from the Offsets
 ///     Record3          MatrixDimension SizeX, SizeY, SizeZ; DataLink to a file of numbers, little-endian,
 ///                      x fastest, with its MD5; or DataList, a Datum for each number
 ///     md5checksum.hex  the MD5 of main.xml
-/// Lengths are metres. A missing point is NaN, an empty Datum, or one whose bit (least significant first) is
+/// Lengths are metres, and so are floats, whatever Increment says: as in iso5436_2.xsd, openGPS and x3ptools,
+/// while Gwyddion and SurfaceTopography multiply; a note tells. R must keep the points on their grid (half
+/// and quarter turns about z, mirrors, a map turned over, whose heights change their sign); a note tells. A
+/// missing point is NaN or infinite (Alicona), an empty Datum, or one whose bit (least significant first) is
 /// 0 in the file named by ValidPointsLink. Integers are signed, as in openGPS and Gwyddion, unlike
-/// SurfaceTopography. Name spaces of elements are ignored. Checksums are optional but must be correct.
-/// Profiles (PRF), point clouds (PCL) and more than one layer are refused. main.xml without its DataList may
-/// have 1 MiB, and md5checksum.hex 64 KiB.
+/// SurfaceTopography. Ignored are name spaces of elements, the name of the root, and the folder of main.xml,
+/// from which links lead. Checksums are optional but must be correct. Profiles (PRF), point clouds (PCL) and
+/// more than one layer are refused. main.xml without its DataList may have 1 MiB, and md5checksum.hex 64 KiB.
 ///
 /// Memory    of reading, twice the map, and main.xml. A DataList is parsed in pieces.
 ///
@@ -27,10 +31,13 @@
 #include "formats/raster.hpp"
 #include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/x3p_head.hpp"
 #include "formats/x3p_parts.hpp"
 
 namespace asperity {
 namespace {
+
+using namespace x3p;
 
 const std::string main_file = "main.xml", checksum_file = "md5checksum.hex", data_file = "bindata/data.bin";
 
@@ -43,45 +50,34 @@ constexpr std::string_view elsewhere = "@";  // replaces a list cut out of main.
 
 // ---- main.xml ----
 
-std::string_view local_name(pugi::xml_node node) {
-  const std::string_view name = node.name();
-  return name.substr(name.find(':') + 1);
-}
-
-// The first child of that name, or an empty node.
-pugi::xml_node child(pugi::xml_node node, std::string_view name) {
-  return node.find_child([&](pugi::xml_node c) { return local_name(c) == name; });
-}
-
-std::string_view text_of_child(pugi::xml_node node, std::string_view name) {
-  return trimmed(child(node, name).child_value());
-}
-
-double number_in(pugi::xml_node node, std::string_view name, double otherwise) {
-  const std::string_view text = text_of_child(node, name);
-  if (text.empty()) return otherwise;
-  const auto number = number_of(text);
-  if (!number || !std::isfinite(*number)) refuse("{} {} in main.xml is not a number", name, quoted(text));
-  return *number;
-}
-
-Index size_in(pugi::xml_node dimensions, std::string_view name) {
-  const std::string_view text = text_of_child(dimensions, name);
-  const auto size = to_number<Index>(text);
-  if (!size) refuse("{} {} in main.xml is not a whole number from 0", name, quoted(text));
-  return *size;
+// What another program's archive is, and the way out.
+[[noreturn]] void refuse_other(const ZipArchive& archive) {
+  constexpr std::pair<std::string_view, std::string_view> kinds[] = {
+      {".npy", "arrays of NumPy (npz), not X3P: save the map alone, by np.save"},
+      {"xl/workbook", "a workbook of Excel, not X3P: save its sheet as text (CSV)"},
+      {"content.xml", "an OpenDocument, not X3P: save its sheet as text (CSV)"}};
+  const std::string name = archive.names().empty() ? "" : archive.names().front();
+  for (const std::string& entry : archive.names())
+    for (const auto& [part, words] : kinds)
+      if (entry.find(part) != entry.npos) refuse("the archive holds {}", words);
+  refuse(
+      "the zip archive, with {}, is not X3P, for main.xml is missing: extract its map, or try Gwyddion if an "
+      "instrument wrote it (`from` gwyddion)",
+      quoted(name));
 }
 
 // Deflate compresses a list of numbers less than 32-fold, but endless equal elements a thousandfold.
 std::string read_main(const ZipArchive& archive, const MemoryBound& memory) {
+  if (!archive.has(main_file)) refuse_other(archive);
   const auto [index, size, stored] = archive.entry(main_file);
   if (size > most_of_main + 32 * stored) refuse_size(main_file, size);
   memory.require(static_cast<double>(size), "map");
   return archive.read(main_file);
 }
 
-void check_md5(std::string_view digits, std::string_view expected, std::string_view name) {
-  if (lower(expected) != digits) refuse("{} is damaged: its checksum is wrong", name);
+void check_md5(std::string_view digits, std::string_view expected, std::string_view name,
+               std::string_view way_out = "") {
+  if (lower(expected) != digits) refuse("{} is damaged: its checksum is wrong{}", name, way_out);
 }
 
 // Each line is a checksum and a file name; other programs put an asterisk or a path before the name.
@@ -94,50 +90,9 @@ void check_main(const ZipArchive& archive, std::string_view main) {
     const std::string_view line = trimmed(take_line(rest)),
                            digits = line.substr(0, line.find_first_of(" \t*"));
     if (line.empty()) continue;
-    if (digits.size() == line.size() || line.ends_with(main_file)) check_md5(found, digits, main_file);
+    if (digits.size() == line.size() || line.ends_with(main_file))
+      check_md5(found, digits, main_file, " (was it edited? Then leave out md5checksum.hex)");
   }
-}
-
-struct Head {
-  Shape shape;
-  std::array<double, 2> spacing;
-  NumberType type;
-  double increment, offset;
-};
-
-double spacing_of(pugi::xml_node axes, std::string_view name) {
-  const pugi::xml_node axis = child(axes, name);
-  if (text_of_child(axis, "AxisType") != "I")
-    refuse("axis {} in main.xml is not incremental (AxisType I)", name);
-  const double out = number_in(axis, "Increment", 0);
-  if (!(out > 0)) refuse("Increment {} of {} in main.xml is not positive", out, name);
-  return out;
-}
-
-NumberType type_of(std::string_view code) {
-  constexpr std::pair<std::string_view, NumberType> types[] = {{"I", NumberType::int16},
-                                                               {"L", NumberType::int32},
-                                                               {"F", NumberType::float32},
-                                                               {"D", NumberType::float64}};
-  for (const auto& [name, type] : types)
-    if (code == name) return type;
-  refuse("number type {} is not supported, only I, L, F, D", quoted(code));
-}
-
-Head head_of(pugi::xml_node root) {
-  const pugi::xml_node first = child(root, "Record1"), axes = child(first, "Axes"), z = child(axes, "CZ");
-  const std::string_view feature = text_of_child(first, "FeatureType");
-  if (!feature.empty() && feature != "SUR")
-    refuse("feature type {} is not supported, only SUR, a surface", quoted(feature));
-  const pugi::xml_node dimensions = child(child(root, "Record3"), "MatrixDimension");
-  if (size_in(dimensions, "SizeZ") != 1) refuse("the file has more than one layer: SizeZ is not 1");
-  Head out{.shape = {size_in(dimensions, "SizeX"), size_in(dimensions, "SizeY")},
-           .spacing = {spacing_of(axes, "CX"), spacing_of(axes, "CY")},
-           .type = type_of(text_of_child(z, "DataType")),
-           .increment = number_in(z, "Increment", 1),
-           .offset = number_in(z, "Offset", 0)};
-  if (out.increment == 0) refuse("Increment 0 of CZ in main.xml is not allowed");
-  return out;
 }
 
 // ---- the numbers ----
@@ -206,7 +161,7 @@ Field values_listed(pugi::xml_node node, std::string_view list, Shape shape, con
 bool recognises(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
 Map decode(std::string_view bytes, const Reading& reading) {
-  const std::unique_ptr<const ZipArchive> opened = ZipArchive::open(bytes);
+  const std::unique_ptr<const ZipArchive> opened = ZipArchive::open(bytes, main_file);
   const ZipArchive& archive = *opened;
   const std::string main = read_main(archive, reading.memory);
   const MemoryBound memory = reading.memory.beside(main.size());
@@ -220,14 +175,18 @@ Map decode(std::string_view bytes, const Reading& reading) {
   pugi::xml_document document;
   if (const auto parsed = document.load_buffer_inplace(rest.data(), rest.size()); !parsed)
     refuse("main.xml is not valid XML: {}", parsed.description());
-  const pugi::xml_node root = child(document, "ISO5436_2"), third = child(root, "Record3"),
+  const pugi::xml_node root = document.document_element(), third = child(root, "Record3"),
                        link = child(third, "DataLink");
+  if (link && child(third, "DataList")) refuse("main.xml has both a DataLink and a DataList: omit one");
   const Head head = head_of(root);
   Map map{.values = link ? values_linked(archive, link, head, memory)
                          : values_listed(child(third, "DataList"), list, head.shape, memory),
           .spacing = head.spacing,
-          .units = "m"};
-  if (head.increment != 1 || head.offset != 0) map.values = map.values * head.increment + head.offset;
+          .units = "m",
+          .understood = head.understood};
+  leave_out_infinite(map);
+  make_heights(map, head);
+  require_finite(map);
   return map;
 }
 

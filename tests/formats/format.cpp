@@ -118,6 +118,27 @@ TEST_CASE("a title from a file is one line of UTF-8 in the dataset", "[formats][
   CHECK(dataset_of(map).at("heights").attributes.text("long_name") == "Höhe ö [31m € \u00e2  \u00ed\u00a0 ");
 }
 
+// Refused without a way out in every one of them.
+TEST_CASE("an infinite number in a binary file is a missing point, and told", "[formats][exact]") {
+  Map map = map_with_holes();
+  map.values(1, 1) = HUGE_VAL;
+  map.values(2, 2) = -HUGE_VAL;
+  Map expected = map;
+  expected.values(1, 1) = expected.values(2, 2) = Map::unknown;
+  for (const char* name : {"gwy", "npy", "nrrd", "sdf", "x3p"}) {
+    CAPTURE(name);
+    const Format& format = format_named(name, "from");
+    const Map read = format.decode(format.encode(map, Order::xy), Order::xy);
+    CHECK(same(read.values, expected.values));
+    CHECK(read.understood == "2 infinite values read as missing");
+  }
+  std::string gsf = format::gsf.encode({.values = Field::Zero(2, 2), .units = "µm"}, Order::xy);
+  gsf.replace(gsf.size() - 4, 4, bytes_of(-HUGE_VALF, std::endian::little).data(), 4);
+  const Map read = format::gsf.decode(gsf, Order::xy);
+  CHECK(std::isnan(read.values(1, 1)));
+  CHECK(read.understood == "1 infinite value read as missing");
+}
+
 TEST_CASE("numbers of every type, byte order and order of indices come back", "[formats][exact]") {
   Field z(70, 45);
   for (Index i = 0; i < z.size(); ++i) z(i) = static_cast<double>((37 * i) % 120);

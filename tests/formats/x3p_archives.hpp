@@ -34,7 +34,7 @@ inline std::string deflated(const Entries& entries) {
 
 /// What main.xml says.
 struct Description {
-  std::string feature = "SUR", type = "D", z = "";  ///< z: further elements of CZ
+  std::string feature = "SUR", type = "D", z = "", rotation = "";  ///< z: further elements of CZ
   std::string size_x = "3", size_y = "2", size_z = "1", dx = "1.5e-006", dy = "+4E-6";
   std::string third = "";  ///< what follows MatrixDimension
 };
@@ -45,8 +45,9 @@ inline std::string main_xml(const Description& d) {
          "2000</Revision><FeatureType>" +
          d.feature + "</FeatureType><Axes><CX><AxisType>I</AxisType><DataType>L</DataType><Increment> " +
          d.dx + " </Increment><Offset>7e-5</Offset></CX><CY><AxisType>I</AxisType><Increment>" + d.dy +
-         "</Increment></CY><CZ><AxisType>A</AxisType><DataType>" + d.type + "</DataType>" + d.z +
-         "</CZ></Axes></p:Record1><Record2><Comment>&lt;none&gt;</Comment></Record2><Record3>"
+         "</Increment></CY><CZ><AxisType>A</AxisType><DataType>" + d.type + "</DataType>" + d.z + "</CZ>" +
+         d.rotation +
+         "</Axes></p:Record1><Record2><Comment>&lt;none&gt;</Comment></Record2><Record3>"
          "<MatrixDimension><SizeX>" +
          d.size_x + "</SizeX><SizeY>" + d.size_y + "</SizeY><SizeZ>" + d.size_z +
          "</SizeZ></MatrixDimension>" + d.third + "</Record3></p:ISO5436_2>";
@@ -70,5 +71,18 @@ inline std::string foreign_x3p(Description d, const std::string& data, const std
   if (!mask.empty()) entries.emplace_back("bindata/valid.bin", mask);
   return deflated(entries);
 }
+
+/// 3 × 2 whole heights, and as a file of numbers of a type, x fastest.
+inline Field whole_heights() {
+  Field z(3, 2);
+  z << 1, -2, 30, 400, -5, 32000;
+  return z;
+}
+
+inline std::string numbers_of_type(NumberType type) {
+  return bytes_of(whole_heights(), {type, std::endian::little, Order::yx});
+}
+
+inline Map decode(const std::string& bytes) { return format::x3p.decode(bytes, Order::xy); }
 
 }  // namespace asperity::test

@@ -1,0 +1,149 @@
+#include "formats/x3p_head.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/refuse.hpp"
+#include "formats/text_numbers.hpp"
+
+namespace asperity::x3p {
+
+std::string_view local_name(pugi::xml_node node) {
+  const std::string_view name = node.name();
+  return name.substr(name.find(':') + 1);
+}
+
+pugi::xml_node child(pugi::xml_node node, std::string_view name) {
+  const auto named = [&](pugi::xml_node c) { return local_name(c) == name; };
+  const pugi::xml_node out = node.find_child(named);
+  for (pugi::xml_node next = out.next_sibling(); next; next = next.next_sibling())
+    if (named(next)) refuse("{} is there twice in main.xml: which counts is not told, write it once", name);
+  return out;
+}
+
+std::string_view text_of_child(pugi::xml_node node, std::string_view name) {
+  return trimmed(child(node, name).child_value());
+}
+
+namespace {
+
+double number_in(pugi::xml_node node, std::string_view name, double otherwise) {
+  const std::string_view text = text_of_child(node, name);
+  if (text.empty()) return otherwise;
+  const auto number = number_of(text);
+  if (!number || !std::isfinite(*number)) refuse("{} {} in main.xml is not a number", name, quoted(text));
+  return *number;
+}
+
+Index size_in(pugi::xml_node dimensions, std::string_view name) {
+  const std::string_view text = text_of_child(dimensions, name);
+  const auto size = to_number<Index>(text);
+  if (!size) refuse("{} {} in main.xml is not a whole number from 0", name, quoted(text));
+  return *size;
+}
+
+double spacing_of(pugi::xml_node axes, std::string_view name) {
+  const pugi::xml_node axis = child(axes, name);
+  if (text_of_child(axis, "AxisType") != "I")
+    refuse("axis {} in main.xml is not incremental (AxisType I): write points as text, columns x y z", name);
+  const double out = number_in(axis, "Increment", 0);
+  if (!(out > 0)) refuse("Increment {} of {} in main.xml is not positive", out, name);
+  return out;
+}
+
+NumberType type_of(std::string_view code) {
+  constexpr std::pair<std::string_view, NumberType> types[] = {{"I", NumberType::int16},
+                                                               {"L", NumberType::int32},
+                                                               {"F", NumberType::float32},
+                                                               {"D", NumberType::float64}};
+  for (const auto& [name, type] : types)
+    if (code == name) return type;
+  refuse("number type {} is not supported, only I, L, F, D", quoted(code));
+}
+
+void take_heights(Head& head, pugi::xml_node z) {
+  const std::string_view kind = text_of_child(z, "AxisType");
+  if (!kind.empty() && kind != "A") refuse("axis CZ in main.xml is not absolute (AxisType A)");
+  head.type = type_of(text_of_child(z, "DataType"));
+  head.offset = number_in(z, "Offset", 0);
+  const bool floats = head.type == NumberType::float32 || head.type == NumberType::float64;
+  const double increment = number_in(z, "Increment", floats ? 1 : 0);
+  if (increment == 0) refuse("Increment of CZ in main.xml is missing or 0");
+  head.increment = floats ? 1 : increment;
+  if (head.increment != increment)
+    head.understood = fmt::format(
+        "the floats are metres: Increment {} of CZ in main.xml, which is for integers, is not applied "
+        "(`from` gwyddion applies it)",
+        shortest(increment));
+}
+
+// To the round-off of single precision, which has 4e-8 for cos 90°.
+Eigen::Array33i rotation_in(pugi::xml_node node) {
+  constexpr double round_off = 1e-7;
+  constexpr char way_out[] =
+      "turn them in the program that wrote them, or take them as stored (`from` gwyddion)";
+  Eigen::Array33i out = Eigen::Matrix3i::Identity();
+  if (!node.first_child()) return out;
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < 3; ++j) {
+      const std::string name = fmt::format("r{}{}", i + 1, j + 1);
+      const double element = number_in(node, name, Map::unknown),
+                   whole = std::clamp(std::round(element), -1.0, 1.0);
+      if (!(std::abs(element - whole) <= round_off))
+        refuse("Rotation in main.xml takes the points off their grid, {} is {}: {}", name, shortest(element),
+               way_out);
+      out(i, j) = static_cast<int>(whole);
+    }
+  const Eigen::Array33i sizes = out.abs();
+  if ((sizes.rowwise().sum() != 1).any() || (sizes.colwise().sum() != 1).any() || sizes(2, 2) != 1)
+    refuse("Rotation in main.xml takes the points off their grid, x and y not to x and y, or z not to z: {}",
+           way_out);
+  return out;
+}
+
+// Where a point goes: "(-y, x, z)".
+std::string place_by(const Eigen::Array33i& rotation) {
+  std::string out;
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < 3; ++j)
+      if (rotation(i, j) != 0)
+        out += fmt::format("{}{}{}", i > 0 ? ", " : "(", rotation(i, j) < 0 ? "-" : "", "xyz"[j]);
+  return out + ")";
+}
+
+}  // namespace
+
+Head head_of(pugi::xml_node root) {
+  const pugi::xml_node first = child(root, "Record1"), axes = child(first, "Axes");
+  if (!first) refuse("main.xml is not that of an X3P: Record1 is missing");
+  const std::string_view feature = text_of_child(first, "FeatureType");
+  if (!feature.empty() && feature != "SUR")
+    refuse(
+        "FeatureType {} in main.xml is not supported, only SUR, a surface: write a profile or points as "
+        "text, columns x z or x y z",
+        quoted(feature));
+  const pugi::xml_node dimensions = child(child(root, "Record3"), "MatrixDimension");
+  if (size_in(dimensions, "SizeZ") != 1) refuse("the file has more than one layer: SizeZ is not 1");
+  Head out{.shape = {size_in(dimensions, "SizeX"), size_in(dimensions, "SizeY")},
+           .spacing = {spacing_of(axes, "CX"), spacing_of(axes, "CY")},
+           .rotation = rotation_in(child(axes, "Rotation"))};
+  take_heights(out, child(axes, "CZ"));
+  if (out.rotation.matrix() != Eigen::Matrix3i::Identity())
+    out.understood += fmt::format("{}Rotation in main.xml takes points (x, y, z) to {}",
+                                  out.understood.empty() ? "" : "; ", place_by(out.rotation));
+  return out;
+}
+
+void make_heights(Map& map, const Head& head) {
+  const Eigen::Array33i& r = head.rotation;
+  if (r(0, 1) != 0) {
+    map.values = map.values.transpose().eval();
+    std::swap(map.spacing[0], map.spacing[1]);
+  }
+  if (r.row(0).sum() < 0) map.values = map.values.colwise().reverse().eval();
+  if (r.row(1).sum() < 0) map.values = map.values.rowwise().reverse().eval();
+  const double factor = head.increment * r(2, 2);
+  if (factor != 1 || head.offset != 0) map.values = map.values * factor + head.offset;
+}
+
+}  // namespace asperity::x3p

@@ -1,0 +1,35 @@
+/// What main.xml of an X3P says of its numbers: Record1 and the size in Record3.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+#include <pugixml.hpp>
+
+#include "formats/map.hpp"
+#include "formats/raster.hpp"
+
+namespace asperity::x3p {
+
+/// Elements by their names without the name space: the only child, or an empty node; its text without blanks.
+std::string_view local_name(pugi::xml_node node);
+pugi::xml_node child(pugi::xml_node node, std::string_view name);
+std::string_view text_of_child(pugi::xml_node node, std::string_view name);
+
+struct Head {
+  Shape shape;
+  std::array<double, 2> spacing;
+  NumberType type = NumberType::float64;
+  double increment = 1, offset = 0;
+  Eigen::Array33i rotation;     ///< a permutation of x and y with signs, and a sign of z
+  std::string understood = {};  ///< of what is read otherwise than by other programs, for a person
+};
+
+/// Throws DataError("map", …) for what is not a surface on a grid.
+Head head_of(pugi::xml_node root);
+/// Numbers of a file become heights: z = r33 Increment number + Offset, with x and y where R takes them.
+void make_heights(Map& map, const Head& head);
+
+}  // namespace asperity::x3p
