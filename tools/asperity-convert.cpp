@@ -54,17 +54,17 @@ std::vector<std::string> targets() {
   return out;
 }
 
-Dataset opened(const cli::Tool& tool, cli::Bytes bytes) {
+Dataset opened(const cli::Tool& tool, const Options& options, cli::Bytes bytes) {
   const MemoryBound left = tool.memory_bound(bytes.size());
   Dataset data = open_netcdf(std::move(bytes), left);
   tool.settle(data);
-  return data;
+  return options.map.completed(std::move(data), options.variable, tool.format().order_of_matrix());
 }
 
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
              cli::Bytes bytes) {
   return options.map.applied(format.netcdf(bytes)
-                                 ? map_of(opened(tool, std::move(bytes)), options.variable)
+                                 ? map_of(opened(tool, options, std::move(bytes)), options.variable)
                                  : format.map(bytes, tool.input_name(), tool.memory_bound()));
 }
 
@@ -90,7 +90,7 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
     for (const std::string& line : std::exchange(out.notes, {})) tool.note(line);
     return out;
   }
-  Dataset data = opened(tool, std::move(*bytes));
+  Dataset data = opened(tool, options, std::move(*bytes));
   bytes.reset();
   const bool another = names_another(tool, data, options.variable);
   if (options.map.changes() || another)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "core/error.hpp"
 #ifdef ASPERITY_MPI
@@ -34,7 +35,7 @@ const Ranks& start() {
   const Ranks* (*start_mpi)() = nullptr;
   try {
     start_mpi = ASPERITY_FROM_MODULE("asperity_mpi", asperity_start_mpi);
-  } catch (const DataError&) {  // no such module
+  } catch (const std::runtime_error&) {  // no such module
     refuse("MPI is not there: install asperity-mpi, or run the tool by itself");
   }
   const Ranks& ranks = *start_mpi();

@@ -13,16 +13,16 @@
 #ifdef ASPERITY_MODULES
 
 #include <dlfcn.h>
-
-#include "core/error.hpp"
+#include <stdexcept>
+#include <string>
 
 namespace asperity {
 
-/// Throws DataError with the library's name where it cannot be loaded.
+/// Throws std::runtime_error where the library cannot be loaded.
 inline void* function_of_module(const char* library, const char* name) {
   void* const module = ::dlopen(library, RTLD_NOW | RTLD_LOCAL);
   void* const found = module ? ::dlsym(module, name) : nullptr;
-  if (!found) throw DataError(library, std::string("cannot be loaded: ") + ::dlerror());
+  if (!found) throw std::runtime_error(library + std::string(" cannot be loaded: ") + ::dlerror());
   return found;
 }
 

@@ -1,10 +1,12 @@
 #include "dataset/bytes.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fcntl.h>
 #include <new>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -27,16 +29,17 @@ Bytes& Bytes::operator=(Bytes&& other) noexcept {
 
 Bytes Bytes::mapped(const std::string& path) {
   Bytes out;
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status {};
-  if (fd >= 0 && ::fstat(fd, &status) == 0 && status.st_size > 0) {
-    const auto size = static_cast<std::size_t>(status.st_size);
-    if (void* const data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0); data != MAP_FAILED) {
-      out.data_ = static_cast<char*>(data);
-      out.size_ = out.capacity_ = size;
-    }
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  void* data = fd < 0 || ::fstat(fd, &status) != 0 ? MAP_FAILED : nullptr;
+  if (data != MAP_FAILED && status.st_size > 0) {
+    out.size_ = out.capacity_ = static_cast<std::size_t>(status.st_size);
+    data = ::mmap(nullptr, out.size_, PROT_READ, MAP_PRIVATE, fd, 0);
   }
+  const int error = errno;
   if (fd >= 0) ::close(fd);
+  if (data == MAP_FAILED) throw std::system_error(error, std::generic_category(), path);
+  out.data_ = static_cast<char*>(data);
   return out;
 }
 

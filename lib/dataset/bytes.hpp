@@ -11,7 +11,7 @@ namespace asperity {
 class Bytes {
  public:
   Bytes() = default;
-  /// A file mapped read-only. Empty if it cannot be mapped, such as a pipe.
+  /// A file mapped read-only. Throws std::system_error where it cannot be opened or mapped.
   static Bytes mapped(const std::string& path);
   ~Bytes();
   Bytes(Bytes&& other) noexcept;

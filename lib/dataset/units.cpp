@@ -54,10 +54,13 @@ const ut_system* units() {
   return system.get();
 }
 
-// Null for an unknown name. UDUNITS prints line ends in a name to standard output.
+// Null for an unknown name. UDUNITS prints line ends in a name to standard output, and passes over a bracket
+// that was not opened.
 Unit known(const std::string& name) {
   const ut_system* const all = units();
-  if (std::ranges::any_of(name, [](unsigned char c) { return c < 0x20; })) return nullptr;
+  if (std::ranges::any_of(name, [](unsigned char c) { return c < 0x20; }) ||
+      std::ranges::count(name, '(') != std::ranges::count(name, ')'))
+    return nullptr;
   require_room(room_for_unit);
   const std::size_t first = std::min(name.find_first_not_of(' '), name.size()),
                     behind = name.find_last_not_of(' ') + 1;  // padding by programs with fixed widths

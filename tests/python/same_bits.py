@@ -47,7 +47,8 @@ class SameBits(support.TestCase):
                 self.assert_same_bits(surface, shell(f"asperity-generate {words}")[0])
 
     def test_a_number_is_the_quantity_in_si(self):
-        one = asp.generate(**{**SURFACE, "size": (1e-3, 6e-4), "rq": numpy.float64(4e-7), "length": 5e-5})
+        one = asp.generate(**{**SURFACE, "size": asp.si((1e-3, 6e-4)), "rq": asp.si(numpy.float64(4e-7)),
+                              "length": asp.si(5e-5)})
         other = asp.generate(**{**SURFACE, "size": "1e-3m,6e-4m", "rq": "4e-7m", "length": "5e-5m"})
         self.assertEqual(one.heights.values.tobytes(), other.heights.values.tobytes())
 
@@ -84,9 +85,9 @@ class OneTable(support.TestCase):
         for option in about["options"]:
             if option["names"] and not option["prints"] and option["name"] not in ("quiet", "json"):
                 self.assertIn(option["text"], text)
-        self.assertIn("load : QUANTITY, a number is in N\n", text)
-        self.assertIn("yield_ : QUANTITY, a number is in Pa\n", text)
-        self.assertIn("radius : A[,B], a number is in m\n", text)
+        self.assertIn("load : QUANTITY, a number of asperity.si is in N\n", text)
+        self.assertIn("yield_ : QUANTITY, a number of asperity.si is in Pa\n", text)
+        self.assertIn("radius : A[,B], a number of asperity.si is in m\n", text)
         self.assertIn("poisson : A[,B]\n", text)
 
 

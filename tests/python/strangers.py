@@ -1,5 +1,8 @@
 #!/usr/bin/python3
 """What strangers pass to the module is understood, or refused in one line; nothing is left behind."""
+import tempfile
+import warnings
+
 import support
 from support import STEEL, SURFACE
 
@@ -36,7 +39,7 @@ class Arrays(support.TestCase):
         self.assertTrue(numpy.isnan(integers.heights[1, 1]))
 
     def test_the_coordinates_are_middles_of_cells_in_the_unit_that_is_asked_for(self):
-        out = asp.dataset([[1, 2], [3, 4], [5, 6]], size=(3e-3, 4e-3), unit="um", periodic="x")
+        out = asp.dataset([[1, 2], [3, 4], [5, 6]], size=asp.si((3e-3, 4e-3)), unit="um", periodic="x")
         numpy.testing.assert_allclose(out.x, [-1e-3, 0, 1e-3], atol=1e-18)
         numpy.testing.assert_allclose(out.heights.values.ravel(), numpy.arange(1, 7) * 1e-6, rtol=1e-15)
         self.assertEqual((out.x.periodic, out.y.periodic, out.x.length), (1, 0, 3e-3))
@@ -53,7 +56,8 @@ class Arrays(support.TestCase):
         for array in (HEIGHTS * 1j, "abc", None, [["a"]], numpy.array([[None]])):
             self.assertRaisesRegex(TypeError, "no real numbers", asp.dataset, array, "1mm")
         self.assertRaisesRegex(TypeError, "size is missing", asp.dataset, HEIGHTS)
-        self.assertRaisesRegex(asp.UsageError, "has no unit", asp.dataset, HEIGHTS, "3")
+        for size in ("3", 3, (3e-3, "4mm")):
+            self.assertRaisesRegex(asp.UsageError, "has no unit", asp.dataset, HEIGHTS, size)
         self.assertRaisesRegex(asp.BadData, "all points are missing", asp.dataset, HEIGHTS * numpy.nan, "3mm")
         self.assertRaisesRegex(TypeError, "asperity.dataset", asp.stats, HEIGHTS)
 
@@ -91,8 +95,14 @@ class Datasets(support.TestCase):
         self.assertEqual(out.history.splitlines()[1:], one.history.splitlines())
 
     def test_what_netcdf_does_not_hold_is_told(self):
-        with self.assertWarnsRegex(asp.ToolWarning, "left out: settings, nothing"):
-            asp.convert(surface(settings={"a": 1}, nothing=None))
+        with self.assertWarnsRegex(asp.ToolWarning, "left out: settings, nothing, 'a/b', '', 'trail '"):
+            asp.convert(surface(settings={"a": 1}, nothing=None, **{"a/b": 1, "": 1, "trail ": 1}))
+        for name, held in ((" lead", False), ("\ud800", False), ("a\nb", False), ("x" * 257, False), ("µ", True),
+                           ("x" * 256, True), ("1 a", True)):
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                self.assertEqual(name in asp.convert(surface(**{name: 1})).attrs, held, name)
+            self.assertEqual(len(told), not held)
         for values in (numpy.zeros(3, complex), numpy.array([1, "a"], object)):
             self.assertRaisesRegex(TypeError, "'odd'", asp.stats, surface().assign(odd=("w", values)))
         self.assertRaisesRegex(asp.BadData, "x is missing; the dataset has heights, u, y", asp.stats,
@@ -106,6 +116,21 @@ class Datasets(support.TestCase):
                          ["datasets[0]", "datasets[1]"])
         self.assertEqual(asp.stats(*surfaces).loc["Sq", "surfaces"], 2)
 
+    # Standard error 0 of two surfaces; and the other file's statistics, of bytes that name one.
+    def test_the_same_surface_twice_and_bytes_that_name_a_file_are_refused_as_in_a_shell(self):
+        one = surface()
+        for pair in ([one, one], [one, one.copy(deep=True)], [one.heights, one.heights]):
+            self.assertRaisesRegex(asp.UsageError, r"'datasets\[0\]' is given twice", asp.stats, pair)
+        self.assertRaisesRegex(asp.UsageError, "'a' is given twice", asp.stats, {"a": one, "b": one})
+        other = one.copy(deep=True)
+        other.heights[0, 0] += 1e-9
+        self.assertEqual(asp.stats([one, other]).loc["Sq", "surfaces"], 2)
+        with tempfile.NamedTemporaryFile(suffix=".nc") as file:
+            one.to_netcdf(file.name, engine="scipy")
+            names = file.name.encode() + b"\n"
+            self.assertRaisesRegex(asp.BadData, "--files-from -", asp.stats, names)
+            self.assertEqual(len(asp.stats(files_from=names)), len(asp.stats(one)))
+
     def test_a_dataset_a_table_or_bytes_stand_for_a_file(self):
         one = surface()
         self.assertIn("--counter counter", asp.contact(one, **STEEL, counter=one).history)
@@ -116,8 +141,8 @@ class Datasets(support.TestCase):
         kernel = asp.kernel(shape=(32, 32), size="1mm", length="60um", rq="1um")
         drawn = asp.generate(kernel=kernel, shape=(32, 32), size="1mm", seed=3)
         self.assertEqual(dict(drawn.sizes)["x"], 32)
-        sweep = asp.contact(smooth=True, shape=(32, 32), size="1mm", radius=(0.01, numpy.inf), young="208GPa",
-                            poisson=0.3, sweep=numpy.array([10., 20, 40]))
+        sweep = asp.contact(smooth=True, shape=(32, 32), size="1mm", radius=asp.si((0.01, numpy.inf)), young="208GPa",
+                            poisson=0.3, sweep=asp.si(numpy.array([10., 20, 40])))
         self.assertEqual(list(sweep.load.round(9)), [10, 20, 40])
         self.assertEqual(asp.plot(sweep, kind="sweep").media, "image/png")
 
@@ -132,7 +157,7 @@ class Words(support.TestCase):
         self.assertRaisesRegex(TypeError, "^report=.*the name of a file", asp.generate, report=surface())
         self.assertRaisesRegex(TypeError, "^counter=3: the name of a file, a Dataset", asp.contact, counter=3)
         self.assertRaisesRegex(asp.UsageError, "^asperity-contact: --young is required$", asp.contact, surface())
-        self.assertRaisesRegex(asp.UsageError, "--rq: 'nanm'", asp.generate, **{**SURFACE, "rq": numpy.nan})
+        self.assertRaisesRegex(asp.UsageError, "--rq: 'nanm'", asp.generate, **{**SURFACE, "rq": asp.si(numpy.nan)})
         self.assertRaisesRegex(AttributeError, "asperity-nonsense is not on PATH", lambda: asp.nonsense)
 
     def test_a_stage_says_that_it_has_not_run(self):
@@ -149,7 +174,7 @@ class Words(support.TestCase):
 
     # The truth of an array was asked for.
     def test_a_stage_may_have_an_array_among_its_options(self):
-        stage = asp.stress(depths=numpy.array([0, 5e-6]))
+        stage = asp.stress(depths=asp.si(numpy.array([0, 5e-6])))
         self.assertEqual(list(stage(asp.contact(surface(), **STEEL)).z.values), [0, 5e-6])
 
     def test_numbers_with_units_of_their_own_keep_them(self):
@@ -164,6 +189,20 @@ class Words(support.TestCase):
         spread = xarray.DataArray(0.4, attrs={"units": "um"})
         history = asp.generate(**{**SURFACE, "size": Quantity(), "rq": spread, "length": "150um"}).history
         self.assertIn("--size 0.003m --rq 0.4um", history)
+        tens = xarray.DataArray(3, attrs={"units": "10 nm"})  # was 310 nm
+        self.assertRaisesRegex(asp.UsageError, "'3 10 nm' has more than one number", asp.generate, **{**SURFACE, "rq": tens})
+
+    # 0.4 was 0.4 m.
+    def test_a_bare_number_is_no_quantity_and_the_refusal_says_how_to_write_it(self):
+        for number in (0.4, numpy.float32(0.5), xarray.DataArray(0.5), True):
+            kind, words = (TypeError, "needs QUANTITY") if number is True else \
+                (asp.UsageError, r"^rq=(0\.\d) has no unit: .* asperity\.si\(\1\) for \1 m$")
+            self.assertRaisesRegex(kind, words, asp.generate, **{**SURFACE, "rq": number})
+        for options in (dict(depths=[0, 5e-6]), dict(depths=numpy.array([1e-6])), dict(maximum=True, memory=10**9)):
+            self.assertRaisesRegex(asp.UsageError, "has no unit", asp.stress, **options)
+        self.assertEqual(asp.contact(radius=numpy.inf, poisson=0.3).words[:2], ["--radius", "inf"])
+        self.assertEqual(asp.contact(poisson=asp.si((0.3, 0.2))).words, ["--poisson", "0.3,0.2"])
+        self.assertRaisesRegex(TypeError, "a text has its own unit", asp.si, "3mm")
 
 
 if __name__ == "__main__":

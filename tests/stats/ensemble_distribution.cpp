@@ -109,7 +109,7 @@ TEST_CASE("surfaces by pattern, list and partly on standard input have the same 
                       named = require(tool + " f_[012].nc").out;
     CAPTURE(estimate);
     CHECK(require(tool + " f_0.nc - f_2.nc < f_1.nc").out == named);
-    CHECK(require("ls f_[012].nc | " + tool).out == named);
+    CHECK(require("ls f_[012].nc | " + tool + " --files-from -").out == named);
   }
   const Outcome one = shell("asperity-pdf f_0.nc f_1.nc --bins 7000");
   CHECK((one.exit == 2 && lines(one.error) == 1));

@@ -94,7 +94,7 @@ TEST_CASE("one surface is the same by name, pattern, list and standard input",
         "asperity-psd --no-history", "asperity-psd --result radial"}) {
     const std::string named = require(tool + " f_3.nc").out;
     CAPTURE(tool);
-    for (const char* other : {" 'f_3*.nc'", " < f_3.nc", " - < f_3.nc", " <<< f_3.nc"}) {
+    for (const char* other : {" 'f_3*.nc'", " < f_3.nc", " - < f_3.nc", " --files-from - <<< f_3.nc"}) {
       const bool same = require(tool + other).out == named;
       CHECK(same);
     }

@@ -84,21 +84,47 @@ TEST_CASE("the mean of directions over an ensemble is that of axes, the same aft
   CHECK(value_in(mean, "gamma_direction", "spread") <= 0.05);
 }
 
-TEST_CASE("a pattern, a list on standard input and names are one ensemble, a single file a single surface",
+TEST_CASE("a pattern, a list of files and names are one ensemble, a single file a single surface",
           "[stats-tool][contract]") {
   write_surfaces(3);
   const std::string named = shell("asperity-stats g_0.nc g_1.nc g_2.nc").out;
   CHECK(lines(named) == 14);
   CHECK(shell("asperity-stats 'g_[0-2].nc'").out == named);
-  CHECK(shell("ls g_0.nc g_1.nc g_2.nc | asperity-stats").out == named);
+  CHECK(shell("ls g_0.nc g_1.nc g_2.nc | asperity-stats --files-from -").out == named);
+  CHECK(shell("ls g_0.nc g_1.nc g_2.nc | sed 's/$/\\r/' > list; asperity-stats --files-from list").out ==
+        named);
   const std::string one = shell("asperity-stats g_1.nc").out;
   CHECK(one.starts_with("# quantity\tvalue [SI]\tstandard_error"));
   CHECK(shell("asperity-stats < g_1.nc").out == one);
   CHECK(shell("asperity-stats 'g_1*.nc'").out == one);
-  for (const char* none : {"asperity-stats 'absent_*.nc'", "echo | asperity-stats"}) {
-    const Outcome run = shell(none);
-    CHECK((run.exit == 2 && lines(run.error) == 1 && run.error.find("INPUT") != std::string::npos));
+  for (const auto& [line, words] :
+       {std::pair{"asperity-stats 'absent_*.nc'", "INPUT: no file matches"},
+        {"echo | asperity-stats --files-from -", "--files-from: '-' lists no file"},
+        {"echo - | asperity-stats --files-from -", "--files-from: '-' is not a list of files"},
+        {"asperity-stats --files-from g_0.nc", "--files-from: 'g_0.nc' is not a list of files"},
+        {"asperity-stats --files-from list g_0.nc", "INPUT cannot be combined with --files-from"},
+        {"cat list g_0.nc | asperity-stats --files-from /dev/stdin", "is not a list of files"},
+        {"echo g_0.nc g_0.nc | tr ' ' '\\n' | asperity-stats --files-from -", "'g_0.nc' is given twice"}}) {
+    const Outcome run = shell(line);
+    CAPTURE(line, run.error);
+    CHECK((run.exit == 2 && lines(run.error) == 1));
+    CHECK_THAT(run.error, ContainsSubstring(words));
   }
+}
+
+// A line of /etc/shadow was printed, and the parameters of a file that nobody had named.
+TEST_CASE("bytes name no files: names on standard input are refused, with the option that takes them",
+          "[stats-tool][contract]") {
+  write_surfaces(1);
+  for (const char* tool : {"stats", "acf", "psd", "pdf", "validate", "filter --scale 2",
+                           "contact --load 1N --young 1GPa --poisson 0.3", "stress --maximum"}) {
+    const Outcome run =
+        shell("echo 'secret 0815 token' > secret.txt; ls secret.txt g_0.nc | asperity-" + std::string(tool));
+    CAPTURE(tool, run.error);
+    CHECK((run.exit == 4 && lines(run.error) == 1));
+    CHECK_THAT(run.error, !ContainsSubstring("0815") && ContainsSubstring("--files-from -"));
+  }
+  CHECK(shell("printf '1 2\\n3 word\\n' | asperity-stats").error.find("files-from") == std::string::npos);
 }
 
 // A Gaussian field's p-values are uniform: below 1e-3 once in a thousand each. The cube of one has

@@ -55,11 +55,11 @@ TEST_CASE("asperity-validate answers 0 for the ensemble that was drawn and 5 for
   CHECK(verdicts == Json({"differs", "agrees", "agrees", "agrees", "agrees", "differs"}));
 }
 
-TEST_CASE("asperity-validate reads names or one dataset from standard input, to the same answer",
+TEST_CASE("asperity-validate reads a list of names or one dataset, to the same answer",
           "[validate-tool][contract]") {
   write_ensemble(0.4e-6);
   const std::string named = shell("asperity-validate e_*.nc -q").out;
-  CHECK(shell("ls e_*.nc | asperity-validate -q").out == named);
+  CHECK(shell("ls e_*.nc | asperity-validate -q --files-from -").out == named);
   const Outcome one = shell("asperity-validate e_3.nc -q");
   CHECK(one.exit == 0);
   CHECK(shell("asperity-validate -q < e_3.nc").out == one.out);
@@ -112,5 +112,5 @@ TEST_CASE("asperity-validate refuses what it cannot judge in one line", "[valida
   CHECK((mixed.exit == 4 && lines(mixed.error) == 1));
   const Outcome target = shell("asperity-validate e_0.nc --acf coarse.nc");
   CHECK((target.exit == 4 && target.error.find("apart") != std::string::npos));
-  CHECK(shell("echo | asperity-validate").exit == 2);
+  CHECK(shell("echo | asperity-validate --files-from -").exit == 2);
 }

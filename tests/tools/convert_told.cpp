@@ -3,7 +3,7 @@
 
 #include "dataset/layout.hpp"
 #include "support.hpp"
-#include "tools/files.hpp"
+#include "tools/maps.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -58,6 +58,45 @@ TEST_CASE("the field of --variable becomes the map in every format, and a wrong 
   CHECK(!now.has("pressure"));
   CHECK_THAT(shell("head -c 2000 p.vti").out, !ContainsSubstring("\"heights\""));
   CHECK(read_dataset("h.nc").has("pressure"));
+}
+
+// The refusal of a text without a size names --size, which a dataset then refused: x was missing all the same.
+TEST_CASE("a bare array of NetCDF gets its axes, size and unit from the options, like a text",
+          "[convert][exact]") {
+  const std::vector<double> nm{1, 2, 3, 4, 5, 6};
+  const auto convert = [&](Dataset data, const std::string& options) {
+    write_dataset(data, "bare.nc");
+    require("asperity-convert bare.nc -o whole.nc --size 3mm,1mm " + options);
+    return read_dataset("whole.nc");
+  };
+  const auto bare = [&](const char* slow, const char* fast) {
+    return Dataset{{{slow, 3}, {fast, 2}}, {{"heights", {slow, fast}, nm, {}}}, {}, {}};
+  };
+  const Field heights = 1e-9 * Eigen::Map<const Field>(nm.data(), 3, 2);
+  for (const Dataset& one :
+       {convert(bare("x", "y"), "--unit nm"), convert(bare("row", "column"), "--unit nm")}) {
+    CHECK(same_bits(field_of(one, "heights"), heights));
+    CHECK(relative_error(grid_of(one).size_x(), 3e-3) <= 2 * epsilon);
+    CHECK(relative_error(grid_of(one).size_y(), 1e-3) <= 2 * epsilon);
+  }
+  const Field turned = heights.transpose();
+  CHECK(same_bits(field_of(convert(bare("y", "x"), "--unit nm"), "heights"), turned));
+  CHECK(same_bits(field_of(convert(bare("a", "b"), "--unit nm --from-order yx"), "heights"), turned));
+  Dataset other = bare("i", "j");  // what stands on the same dimensions goes with it
+  other.find("heights")->name = "z";
+  other.find("z")->attributes.set("units", "nm");
+  other.put({"mask", {"i", "j"}, std::vector<std::int8_t>{0, 0, 1, 0, 0, 0}, {}});
+  const Field masked = field_of(convert(other, "--variable z"), "heights", Missing::not_a_number);
+  CHECK((std::isnan(masked(1, 0)) && masked.isNaN().count() == 1 && masked(1, 1) == heights(1, 1)));
+  Dataset counted = bare("x", "y");  // samples in place of metres
+  counted.put({"x", {"x"}, std::vector<double>{0, 1, 2}, {}});
+  CHECK(same_bits(field_of(convert(counted, "--unit nm"), "heights"), heights));
+  CHECK_THAT(told("asperity-convert bare.nc --unit nm -o o.nc", 4), ContainsSubstring("x has no unit"));
+  write_dataset(bare("row", "column"), "bare.nc");
+  CHECK_THAT(told("asperity-stats bare.nc", 4),
+             ContainsSubstring("x is missing") && ContainsSubstring("--size"));
+  CHECK_THAT(told("asperity-convert bare.nc --size 3mm -o o.nc", 4),
+             ContainsSubstring("heights has no unit"));
 }
 
 TEST_CASE("notes and refusals of a text say what was told and what stands in the file",

@@ -97,7 +97,7 @@ TEST_CASE("a description for programs has every option of --help, and the unit o
   };
   CHECK(told("load") == "[\"other\",\"N\",[],false,false,[]]\n");
   CHECK(told("young") == "[\"other\",\"Pa\",[],true,false,[]]\n");
-  CHECK(told("smooth") == "[\"flag\",\"\",[],false,false,[\"INPUT\",\"variable\"]]\n");
+  CHECK(told("smooth") == "[\"flag\",\"\",[],false,false,[\"INPUT\",\"files-from\",\"variable\"]]\n");
   CHECK(told("progress") == "[\"word\",\"\",[\"auto\",\"always\",\"never\"],false,false,[]]\n");
   CHECK(told("man") == "[\"flag\",\"\",[],false,true,[]]\n");
 }

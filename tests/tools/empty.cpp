@@ -100,11 +100,27 @@ TEST_CASE("an empty input is bad data, and of a pipe the tool before it", "[empt
   for (const std::string& line :
        {std::string("asperity-stats none"), std::string("asperity-convert none --to gsf"),
         std::string("asperity-kernel --acf none"), "asperity-contact s.nc --counter none" + bodies,
-        std::string("asperity-stats s.nc none"), std::string("echo none | asperity-stats"),
+        std::string("asperity-stats s.nc none"), std::string("echo none | asperity-stats --files-from -"),
         std::string("asperity-generate --kernel none --shape 8x8")}) {
     const Outcome run = shell(line);
     CAPTURE(line, run.error);
     CHECK(run.exit == 4);
     CHECK(run.error.find("none: it is empty") != std::string::npos);
+  }
+}
+
+// They were told to be empty, exit 4: bad data.
+TEST_CASE("a file that cannot be opened is no empty file", "[program][contract]") {
+  require(generate + "-o full.nc; mkdir -p folder");
+  for (const auto& [line, words] :
+       {std::pair{
+            "for fd in /proc/$$/fd/*; do n=${fd##*/}; ((n > 2)) && eval \"exec $n>&-\"; done; ulimit -n 4; "
+            "asperity-acf full.nc -o o.nc",
+            "full.nc: Too many open"},
+        {"asperity-acf folder -o o.nc", "folder: Is a directory"}}) {
+    const Outcome run = shell(line);
+    CAPTURE(line, run.error);
+    CHECK((run.exit == 1 && lines(run.error) == 1));
+    CHECK_THAT(run.error, ContainsSubstring(words));
   }
 }

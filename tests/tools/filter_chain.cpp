@@ -133,7 +133,7 @@ TEST_CASE("several maps are written by a pattern, and one that fails keeps the o
   CHECK_THAT(run.error, ContainsSubstring("asperity-filter: warning: a.txt: "));
   CHECK(shell("ls f_*.nc").out == "f_2.nc\nf_3.nc\n");
   CHECK(same_bits(heights_in("f_3.nc"), 2 * heights_in("map.nc")));
-  require("ls b.nc map.nc | asperity-filter -q --scale 2 -o g_%d.nc");
+  require("ls b.nc map.nc | asperity-filter -q --files-from - --scale 2 -o g_%d.nc");
   CHECK(same_bits(heights_in("g_2.nc"), heights_in("f_3.nc")));
   CHECK(shell("asperity-filter b.nc map.nc --scale 2 -o one.nc").exit == 2);
   require("asperity-filter map.nc --scale 2 -o only_%02d.nc");

@@ -179,7 +179,7 @@ TEST_CASE("what went is said in one line, which --quiet silences, and where noth
   CHECK_THAT(
       pressed.error,
       ContainsSubstring("asperity-contact: dropped results of the former pressure: displacement_plastic, "
-                        "heights_residual, von_mises and 20 more\n"));
+                        "heights_residual, stress_*\n"));
 }
 
 TEST_CASE("a second run of the same command leaves the dataset as the first left it, and says nothing",

@@ -27,6 +27,81 @@ TEST_CASE("a quantity without its unit, of another dimension, or without a numbe
   }
 }
 
+// UDUNITS multiplies: 12 500 N were 6000 N, 2..3N were 0.6 N, and 2 08GPa were 16 GPa.
+TEST_CASE("a quantity has one number: a second one is refused, not multiplied by", "[quantity][contract]") {
+  for (const char* text : {"12 500 N",
+                           "1 500N",
+                           "1\u00a0500N",
+                           "1'000N",
+                           "1_000N",
+                           "1 000",
+                           "2..3N",
+                           "2.3.4N",
+                           "1e3.5N",
+                           "0-1N",
+                           "0x10N",
+                           "3 -N",
+                           "+-3N",
+                           "- 3 N",
+                           "+3N",
+                           "10 2 N",
+                           "3 N 2",
+                           "3 N2",
+                           "3N3",
+                           "3N.2",
+                           "3N*2",
+                           "3N\u00b72",
+                           "3N \xb7"
+                           "2",
+                           "3N/2",
+                           "3 1/2N",
+                           "3(2N)",
+                           "3 (N)(2)",
+                           "3N @ 2",
+                           "3 lg(re 1 N)",
+                           "5 10^3 N",
+                           "3N from 2",
+                           "nan N",
+                           "\u00bdN",
+                           "3N,",
+                           "3N;",
+                           "3N)",
+                           "3N x",
+                           "3 N N",
+                           "3N\t",
+                           "1,5N"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(parse_quantity("load", text, "N"), ParameterError);
+    CHECK_THROWS_AS(parse_length("length", std::string(text) + "px"), ParameterError);
+  }
+  CHECK_THROWS_AS(parse_length("length", "1 7px"), ParameterError);
+  CHECK_THROWS_AS(parse_bytes("memory", "1 500MB"), ParameterError);
+  CHECK_THROWS_AS(parse_angle("angle", "3 0deg"), ParameterError);
+  CHECK_THROWS_AS(parse_quantities("poisson", "0.3 0.2", "1"), ParameterError);
+  CHECK_THROWS_WITH(parse_quantity("load", "12 500 N", "N"),
+                    ContainsSubstring("'12 500 N' has more than one"));
+}
+
+TEST_CASE("the numbers of a unit are its exponents and the 1 of a reciprocal", "[quantity][exact]") {
+  for (const auto& [text, unit, value] : {std::tuple{"5 kN", "N", 5e3},
+                                          {"2 N/m2", "Pa", 2.0},
+                                          {"2 kg m-3", "kg m-3", 2.0},
+                                          {"2 um^2", "m2", 2e-12},
+                                          {"2m s-1", "m s-1", 2.0},
+                                          {"2um**2", "m2", 2e-12},
+                                          {"2 (m s)-1", "m-1 s-1", 2.0},
+                                          {"2 1/um", "m-1", 2e6},
+                                          {"2\u00b5m\u00b3", "m3", 2e-18},
+                                          {"2 \u00c5^2", "m2", 2e-20},
+                                          {"2 kg.m-1.s-2", "Pa", 2.0},
+                                          {"2 N\u00b7m-2", "Pa", 2.0},
+                                          {"2%", "1", 0.02},
+                                          {"2'", "arcminute", 2.0}}) {
+    CAPTURE(text);
+    CHECK(relative_error(parse_quantity("of", text, unit), value) <= 4 * epsilon);
+  }
+}
+
 TEST_CASE("a bare number is answered with the units that it may have meant", "[quantity][contract]") {
   CHECK_THROWS_WITH(parse_quantity("radius", "50", "m"), ContainsSubstring("mm"));
   CHECK_THROWS_WITH(parse_length("length", "17"), ContainsSubstring("px"));

@@ -123,7 +123,7 @@ TEST_CASE("tables and messages of many surfaces are the same from one worker and
     check_alike(head + tool + all + "-o -", 0);
   check_alike("asperity-contact " + press + "--sweep 1N,2N,4N t_*.nc", 0);
   check_alike("asperity-contact " + press + "--load 2N --yield 1GPa --add grid_errors t_*.nc", 0);
-  check_alike("ls t_*.nc | asperity-contact -q --load 2N " + press +
+  check_alike("ls t_*.nc | asperity-contact -q --files-from - --load 2N " + press +
                   "--each p_%d.nc; asperity-stress --maximum" +
                   " --threads THREADS p_*.nc; asperity-stress --result maxima --depths 1um:20um:3 p_*.nc",
               0);

@@ -41,7 +41,7 @@ std::string man_page(const CLI::App& app, const Documents& more);
 /// stands by its code point.
 std::string roff(const std::string& text);
 
-/// One JSON object: the tool, its options (name, kind, unit of a bare number, text, which others it excludes)
+/// One JSON object: the tool, its options (name, kind, SI unit, text, which others it excludes)
 /// and its exit statuses. Python's module asperity makes its functions of it (docs/python.md).
 std::string description(const CLI::App& app, const Documents& more);
 

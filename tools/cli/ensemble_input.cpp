@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <glob.h>
 #include <map>
-#include <sstream>
+#include <string_view>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -14,6 +14,8 @@
 #include "core/parallel.hpp"
 #include "core/words.hpp"
 #include "dataset/unread.hpp"
+#include "formats/format.hpp"
+#include "formats/text_numbers.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
@@ -63,71 +65,59 @@ void check(const Tool& tool, const Names& names) {
   }
 }
 
-// A table of numbers, not a list of names: whether it begins like one, and not with the name of a file.
-bool is_table(const std::string& first_line) {
-  const std::string first = first_line.substr(0, first_line.find_first_of(" \t;,"));
-  const bool table =
-      first.size() < first_line.size() || first_line.front() == '#' || to_number<double>(first);
-  return table && !std::filesystem::exists(first_line);
-}
-
-// The names, one per line, if these bytes are no dataset and no map.
-Names listed(const Tool& tool, const Bytes& bytes) {
-  if (tool.format().known(bytes)) return {};
-  std::istringstream lines{std::string(bytes)};
+// The names in a list, one per line.
+Names listed(const Tool& tool, const std::string& list) {
+  tool.reads(list);
+  const Bytes bytes = read_all(list, tool.memory_bound());
+  std::string_view rest = bytes;
   Names out;
-  for (std::string name; std::getline(lines, name);)
-    if (!name.empty()) out.push_back(name);
-  if (out.empty()) throw UsageError(argument, "the list on standard input is empty");
-  return is_table(out.front()) ? Names() : out;
+  while (!rest.empty())
+    if (const std::string_view name = take_line(rest); !name.empty()) out.emplace_back(name);
+  if (out.empty()) refuse("files-from", list, "lists no file: write one name per line");
+  if (!is_text(bytes) || std::ranges::find(out, "-") != out.end())
+    refuse("files-from", list, "is not a list of files, one name per line: name a dataset itself as INPUT");
+  return out;
 }
 
-// Standard input's list in its place.
-void replace(Names& names, std::size_t place, const Names& listed) {
-  const auto at = names.begin() + static_cast<std::ptrdiff_t>(place);
-  names.insert(names.erase(at), listed.begin(), listed.end());
+// Bytes of names are no map; these look like some.
+bool look_like_names(std::string_view bytes) {
+  const std::string_view line = bytes.substr(0, bytes.find('\n'));
+  return is_text(bytes) && line.find_first_of(" \t;,#") == line.npos && !to_number<double>(line);
 }
 
 Bytes piped(const Tool& tool) {
-  if (stdin_is_terminal())
-    throw UsageError(argument, "no input: name files, or pipe in a dataset or a list of files");
+  if (stdin_is_terminal()) throw UsageError(argument, "no input: name files, or pipe in a dataset");
   return read_all("-", tool.memory_bound());
 }
 
 }  // namespace
 
-Option EnsembleInput::declare(Tool& tool) {
-  const Option out = tool.arguments(
+EnsembleInput::Declared EnsembleInput::declare(Tool& tool) {
+  const Option input = tool.arguments(
       argument, files, "FILE",
-      "Datasets or maps to read, or patterns such as 's_*.nc'; none or -: standard input, a dataset or a "
-      "list of files, one per line");
+      "Datasets or maps to read, or patterns such as 's_*.nc'; none or -: a dataset on standard input");
+  const Option list = tool.text(
+      "--files-from", list_, "FILE",
+      "List of the files to read in place of INPUT, one name per line; - is standard input", "Input");
   tool.input_format();
-  return out;
+  return {input, list.excludes(input)};
 }
 
 bool EnsembleInput::takes_standard_input() const {
-  return files.empty() || std::ranges::find(files, "-") != files.end();
+  return list_.empty() ? files.empty() || std::ranges::find(files, "-") != files.end() : list_ == "-";
 }
 
 std::size_t EnsembleInput::resolve(const Tool& tool) {
-  files = all_matches(files);
+  if (std::exchange(resolved_, true)) return files.size();
+  const int ranks = tool.ranks().count();
+  if (ranks > 1 && takes_standard_input())
+    throw UsageError(argument, "standard input reaches the first rank alone: name a file");
+  files = list_.empty() ? all_matches(files) : listed(tool, list_);
   check(tool, files);
-  if (const int ranks = tool.ranks().count(); ranks > 1) {
-    if (takes_standard_input())
-      throw UsageError("INPUT", "standard input reaches the first rank alone: name a file");
-    if (files.size() > 1)
-      throw UsageError("INPUT",
-                       fmt::format("{} surfaces cannot be shared by {} ranks: start a process for each",
-                                   files.size(), ranks));
-  }
-  const auto place = std::ranges::find(files, "-");
-  if (place == files.end()) return files.size();
-  piped_ = piped(tool);
-  if (const Names names = listed(tool, *piped_); !names.empty()) {
-    replace(files, static_cast<std::size_t>(place - files.begin()), names);
-    check(tool, files);
-    piped_.reset();
-  }
+  if (ranks > 1 && files.size() > 1)
+    throw UsageError(argument,
+                     fmt::format("{} surfaces cannot be shared by {} ranks: start a process for each",
+                                 files.size(), ranks));
   return files.size();
 }
 
@@ -211,38 +201,34 @@ class EnsembleInput::Visits {
   std::optional<Turns> turns_ = {};  ///< from the first surface on
 };
 
-// The dataset on standard input, one of so many, or the names that it lists.
-Names EnsembleInput::from_standard_input(Visits& visits, std::size_t number, std::size_t of) {
+// The dataset on standard input, one of so many. It is kept for another visit.
+void EnsembleInput::visit_standard_input(Visits& visits, std::size_t number, std::size_t of) {
   const Run& run = visits.run;
   constexpr const char* own = "/proc/self/fd/0";  // if it is a file
+  visits.finish();
+  if (of > 1) run.tool.about("-");
   run.tool.reads("-", of == 1 && run.tool.result_is_dataset());
-  if (!piped_ && run.apart.are && run.apart.are(own)) return run.apart.visit(own), Names();
+  if (!piped_ && run.apart.are && run.apart.are(own)) return run.apart.visit(own);
   if (!piped_) piped_ = piped(run.tool);
-  const Names names = listed(run.tool, *piped_);
-  if (names.empty())
-    visits.add_read("-", number, of, [&] {
-      if (of > 1) return run.tool.read(*piped_, "-");  // kept for another visit
-      return run.tool.read(std::move(*std::exchange(piped_, {})), "-");
-    });
-  if (of == 1) piped_.reset();
-  return names;
+  const bool names = look_like_names(*piped_);
+  visits.add_read("-", number, of, [&]() -> Dataset {
+    try {
+      return of > 1 ? run.tool.read(*piped_, "-") : run.tool.read(std::move(*std::exchange(piped_, {})), "-");
+    } catch (const DataError& error) {
+      if (!names) throw;
+      throw DataError(error.name, std::string(error.what()) + ". For a list of files say --files-from -");
+    }
+  });
 }
 
 void EnsembleInput::visit_all(const Run& run) {
-  Names names = all_matches(files);
-  check(run.tool, names);
+  resolve(run.tool);
   Visits visits(run);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (names[k] == "-") {
-      visits.finish();
-      if (names.size() > 1) run.tool.about(names[k]);
-      const Names more = from_standard_input(visits, k + 1, names.size());
-      if (more.empty()) continue;
-      replace(names, k, more);
-      check(run.tool, names);
-    }
-    visits.add(names[k], k + 1, names.size());
-  }
+  for (std::size_t k = 0; k < files.size(); ++k)
+    if (files[k] == "-")
+      visit_standard_input(visits, k + 1, files.size());
+    else
+      visits.add(files[k], k + 1, files.size());
   visits.finish();
   run.tool.about("");
 }

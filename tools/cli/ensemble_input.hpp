@@ -1,8 +1,9 @@
-/// The surfaces that a tool reads one by one: files or patterns on the command line, a list of files on
-/// standard input, or a dataset there.
+/// The surfaces that a tool reads one by one: files or patterns on the command line, those of a list, or a
+/// dataset on standard input.
 ///
-/// A pattern that matches nothing, a file that cannot be opened, and a file that is given twice are refused
-/// before the work: the same surface is no further sample.
+/// Bytes are data: only --files-from takes them for names. Whoever names a list names its files, so that an
+/// error may quote them. A pattern that matches nothing, a file that cannot be opened, and a file that is
+/// given twice are refused before the work: the same surface is no further sample.
 #pragma once
 
 #include <functional>
@@ -27,12 +28,15 @@ struct EnsembleMember {
 struct EnsembleInput {
   std::vector<std::string> files;
 
-  /// INPUT, any number of them, and the options of Tool::input_format().
-  Option declare(Tool& tool);
+  /// INPUT, any number of them, --files-from, and the options of Tool::input_format().
+  struct Declared {
+    Option input, list;
+  };
+  Declared declare(Tool& tool);
 
   bool takes_standard_input() const;
-  /// How many surfaces there are. Reads standard input if it is named: files that are listed there take its
-  /// place. Several ranks share one surface, from a file.
+  /// How many surfaces there are; `files` are their names from now on. Reads the list, if there is one.
+  /// Several ranks share one surface, from a file.
   std::size_t resolve(const Tool& tool);
 
   /// The surface, where there is one.
@@ -69,8 +73,10 @@ struct EnsembleInput {
     Apart apart;    ///< empty: none
   };
   void visit_all(const Run& run);
-  std::vector<std::string> from_standard_input(Visits& visits, std::size_t number, std::size_t of);
+  void visit_standard_input(Visits& visits, std::size_t number, std::size_t of);
 
+  std::string list_ = {};
+  bool resolved_ = false;
   std::optional<Bytes> piped_ = {};  ///< the dataset on standard input
 };
 

@@ -35,11 +35,6 @@ bool InputFormat::netcdf(std::string_view bytes) const {
   return format == "netcdf" || (format == "auto" && (bytes.empty() || looks_like_netcdf(bytes)));
 }
 
-bool InputFormat::known(std::string_view bytes) const {
-  return format != "auto" || looks_like_netcdf(bytes) || !is_text(bytes) ||
-         std::ranges::any_of(formats(), [&](const Format& f) { return f.recognises && f.recognises(bytes); });
-}
-
 std::string_view InputFormat::found(std::string_view bytes, const std::string& name) const {
   std::string_view out = format;
   if (netcdf(bytes)) {
@@ -71,7 +66,7 @@ Map InputFormat::map(std::string_view bytes, const std::string& name, const Memo
   const std::string_view from = found(bytes, name);
   Reading told = reading;
   told.memory = memory.beside(bytes.size());
-  told.order = order == "yx" ? Order::yx : Order::xy;
+  told.order = order_of_matrix();
   told.channel = channel;
   if (from == through_gwyddion) return map_through_gwyddion(bytes, name, told);
   return format_named(from, "from").decode(bytes, told);

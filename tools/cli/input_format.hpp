@@ -19,13 +19,12 @@ struct InputFormat {
   std::string channel = "";     ///< of a file of several maps
   Reading reading = {};         ///< further options of the reader; `order` and `channel` are those above
 
+  Order order_of_matrix() const { return order == "yx" ? Order::yx : Order::xy; }
   /// "auto", "netcdf" and the names of all formats of maps.
   static std::vector<std::string> names();
 
   /// Whether bytes are taken for NetCDF.
   bool netcdf(std::string_view bytes) const;
-  /// Whether the bytes, or --from, identify a dataset or a map, not a list of names.
-  bool known(std::string_view bytes) const;
   /// The name of the format that bytes are read in. Throws ParameterError where that has no channels, and one
   /// is given.
   std::string_view found(std::string_view bytes, const std::string& name) const;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "dataset/catalogue.hpp"
 #include "tools/cli/plain_text.hpp"
 
@@ -58,7 +56,7 @@ void erase_variables(Dataset& data, Predicate gone) {
   std::erase_if(data.dimensions, is_bare);
 }
 
-// "heights_residual, von_mises and 20 more": many of one result stand together.
+// "heights_residual, stress_*": many of one result stand together.
 std::string in_short(const Names& names) {
   constexpr std::ptrdiff_t few = 2;
   std::string line;
@@ -70,7 +68,7 @@ std::string in_short(const Names& names) {
     const bool many = result && all > few;
     if (many) told.push_back(result);
     line += line.empty() ? "" : ", ";
-    line += many ? fmt::format("{} and {} more", name, all - 1) : name;
+    line += many ? std::string(result->prefix) + "*" : name;
   }
   return line;
 }

@@ -185,7 +185,9 @@ void Tool::input_format() {
        "or the only one of heights",
        "Input");
   choice("--from-order", format_.order, {"xy", "yx"},
-         "Order of a bare matrix (text, npy); xy: a line for each x, yx: a line for each y", "Input");
+         "Order of a bare matrix (text, npy, NetCDF without x and y); xy: a line for each x, yx: a line for "
+         "each y",
+         "Input");
 }
 
 // Options of several tools come last in --help, in one order.

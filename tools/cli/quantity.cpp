@@ -1,6 +1,7 @@
 #include "tools/cli/quantity.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -23,11 +24,31 @@ constexpr ByteUnit byte_units[] = {{"B", 1},        {"kB", 1e3},     {"MB", 1e6}
                                    {"GB", 1e9},     {"TB", 1e12},    {"KiB", 0x1p10},
                                    {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
 
+// UDUNITS multiplies: "500 N" is a unit of 500 N, and "'000N" one of 1 N. A unit by itself has no numbers but
+// exponents, as in m2, s-1, um^-3 and (m s)**2, and the 1 of 1/um.
+bool has_number(std::string_view unit) {
+  constexpr std::string_view digits = "0123456789";
+  if (unit.starts_with("1/")) unit.remove_prefix(2);
+  for (std::size_t at = unit.find_first_of(digits); at != unit.npos; at = unit.find_first_of(digits, at)) {
+    std::string_view base = unit.substr(0, at);
+    if (base.ends_with('-') || base.ends_with('+')) base.remove_suffix(1);
+    base.remove_suffix(base.ends_with('^') ? 1 : base.ends_with("**") ? 2 : 0);
+    const unsigned char last = base.empty() ? ' ' : static_cast<unsigned char>(base.back());
+    const bool letter = last < 0x80 ? std::isalpha(last) != 0 : last != 0xb7;  // the end of a middle dot
+    if (!letter && last != ')') return true;
+    at = std::min(unit.find_first_not_of(digits, at), unit.size());
+  }
+  return false;
+}
+
 NumberAndUnit number_and_unit(const std::string& option, const std::string& text) {
-  const auto [number, unit, found, in_range] = leading_number<double>(text);
+  const auto [number, rest, found, in_range] = leading_number<double>(text);
   if (found && !in_range) refuse(option, text, "is beyond the range of a double");
   if (!found || std::isnan(number)) refuse(option, text, "does not begin with a number");
-  return {number, std::string(unit.substr(std::min(unit.find_first_not_of(' '), unit.size())))};
+  const std::string_view unit = rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
+  if (has_number(unit))
+    refuse(option, text, "has more than one number: write one, without blanks or marks within, and its unit");
+  return {number, std::string(unit)};
 }
 
 // Units as one would type them for a quantity of this dimension.

@@ -1,7 +1,7 @@
 /// Values as they are typed: a number and a unit, "0.4um", "208GPa", "5000N", "17px", and several of them.
 ///
-/// UDUNITS-2 knows the units (dataset/units.hpp). A bare number is refused where a dimension is needed; `px`
-/// counts samples.
+/// UDUNITS-2 knows the units (dataset/units.hpp). A bare number is refused where a dimension is needed. A
+/// second number is refused too, by which UDUNITS would multiply: "12 500N", "0-1mm". `px` counts samples.
 #pragma once
 
 #include <array>

@@ -109,8 +109,10 @@ int Tool::fail(Exit code, const std::string& message) const {
 std::string Tool::in_file(const DataError& error) const {
   std::string line = sentence(error.name, error.what());
   const KnownResult* result = result_of_variable(error.name);
-  if (result != nullptr && result->name != "heights" &&
-      dynamic_cast<const MissingVariable*>(&error) != nullptr)
+  const bool missing = dynamic_cast<const MissingVariable*>(&error) != nullptr;
+  if (missing && (error.name == "x" || error.name == "y"))
+    line += ". asperity-convert `size` gives a bare array its axes";
+  if (missing && result != nullptr && result->name != "heights")
     line += ". asperity-" + std::string(result->prefix.substr(0, result->prefix.find('_'))) + " computes it";
   const bool named = reading_.empty() || reading_ == "-" || line.starts_with(reading_ + ": ");
   return named ? line : reading_ + ": " + line;

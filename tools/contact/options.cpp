@@ -68,10 +68,10 @@ void ContactOptions::declare(Tool& tool) {
 
 void ContactOptions::declare_surface(Tool& tool) {
   const std::string surface = "Surfaces";
-  const Option from = surfaces.declare(tool);
+  const auto [input, list] = surfaces.declare(tool);
   const Option named = tool.text("--variable", variable, "NAME", "Field on (x, y) to read", surface);
   const Option plain = tool.flag("--smooth", smooth, "Press a smooth first body, without an input", surface);
-  plain.excludes(from).excludes(named);
+  plain.excludes(input).excludes(list).excludes(named);
   tool.counts("--shape", shape, 1, "Samples in x and y, with --smooth", surface).needs(plain);
   tool.quantities("--size", size, "m", "Side lengths in x and y, with --smooth", surface).needs(plain);
   tool.text("--counter", counter, "FILE",

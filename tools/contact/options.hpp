@@ -39,7 +39,7 @@ struct ContactOptions {
   bool unloads() const { return adds("heights_residual"); }
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds. Reads
-  /// standard input, which may list the surfaces.
+  /// the list of the surfaces, if there is one.
   void check(Tool& tool);
 
  private:

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/words.hpp"
+#include "dataset/axis_order.hpp"
+#include "dataset/units.hpp"
 #include "formats/format.hpp"
 
 namespace asperity::cli {
@@ -18,6 +22,29 @@ const Words separators{"auto", "blank", "tab", "comma", "semicolon"}, decimals{"
 template <class Enum>
 Enum chosen(const Words& words, const std::string& word) {
   return static_cast<Enum>(std::ranges::find(words, word) - words.begin());
+}
+
+bool is_bare(const Words& dimensions) {
+  return dimensions[0] != dimensions[1] &&
+         std::ranges::none_of(dimensions, [](const std::string& d) { return d == "x" || d == "y"; });
+}
+
+// A matrix of another program has dimensions of any names, which its other variables share.
+Dataset with_axes(Dataset dataset, const Words& dimensions, Order order) {
+  const Words axes = order == Order::xy ? Words{"x", "y"} : Words{"y", "x"};
+  const auto rename = [&](std::string& name) {
+    const auto at = std::ranges::find(dimensions, name);
+    if (at != dimensions.end()) name = axes[static_cast<std::size_t>(at - dimensions.begin())];
+  };
+  for (Dimension& d : dataset.dimensions) rename(d.name);
+  for (Variable& v : dataset.variables) std::ranges::for_each(v.dimensions, rename);
+  return to_native_axes(std::move(dataset));
+}
+
+Variable sample_numbers(const char* axis, Index points) {
+  std::vector<double> numbers(static_cast<std::size_t>(points));
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  return {axis, {axis}, std::move(numbers), {}};
 }
 
 }  // namespace
@@ -62,14 +89,30 @@ Reading MapOptions::reading(std::string_view bytes, std::string_view format) con
   out.columns = columns_;
   out.missing = missing_;
   out.unit_told = !unit_.empty();
-  out.size_told = !std::isnan(size_[0]);
+  out.size_told = gives_size();
   return out;
 }
 
-bool MapOptions::changes() const { return !std::isnan(size_[0]) || !unit_.empty(); }
+Dataset MapOptions::completed(Dataset dataset, const std::string& variable, Order order) const {
+  Variable* const field = dataset.find(variable);
+  if (field == nullptr || field->dimensions.size() != 2) return dataset;
+  if (!unit_.empty() && unit_of(*field).empty()) field->attributes.set("units", unit_);
+  if (!gives_size()) return dataset;
+  if (const Words own = field->dimensions; is_bare(own)) dataset = with_axes(std::move(dataset), own, order);
+  for (const char* name : {"x", "y"}) {
+    const Index points = dataset.length(name);
+    if (points > 0 && !dataset.has(name)) dataset.put(sample_numbers(name, points));
+    Variable* const axis = dataset.find(name);
+    if (axis != nullptr && unit_of(*axis).empty()) axis->attributes.set("units", "m");
+    if (axis != nullptr && points == 1 && !axis->attributes.find("length")) axis->attributes.set("length", 1);
+  }
+  return dataset;
+}
+
+bool MapOptions::changes() const { return gives_size() || !unit_.empty(); }
 
 Map MapOptions::applied(Map map) const {
-  if (!unit_.empty()) {
+  if (!unit_.empty() && map.file_units != unit_) {
     if (!map.units.empty())
       throw UsageError("unit", "the file gives its own unit, " +
                                    one_line(map.file_units.empty() ? map.units : map.file_units, 24) +
@@ -77,7 +120,7 @@ Map MapOptions::applied(Map map) const {
     set_units(map, unit_);
   }
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (std::isnan(size_[axis])) continue;
+    if (!gives_size()) continue;
     if (!(size_[axis] > 0 && std::isfinite(size_[axis])))
       throw UsageError("size", format_quantity(size_[axis], "m") + " is not a positive length");
     map.spacing[axis] = size_[axis] / static_cast<double>(axis == 0 ? map.values.rows() : map.values.cols());

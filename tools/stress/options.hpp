@@ -27,7 +27,7 @@ struct StressOptions {
   bool adds(std::string_view word) const { return std::ranges::find(add, word) != add.end(); }
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds. Reads
-  /// standard input, which may list the surfaces.
+  /// the list of the surfaces, if there is one.
   void check(Tool& tool);
   bool several() const { return surfaces_ > 1; }
   /// Instead of a dataset.

@@ -35,7 +35,7 @@ std::optional<Columns> headed(std::string_view comment) {
 
 // A length with its unit, or that of its column; 0 needs none. Other programs write a plus before a number.
 double parse_place(std::string_view word, const std::string& unit, int line) {
-  if (word.starts_with('+')) word.remove_prefix(1);
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   const auto bare = leading_number<double>(word);
   const bool alone = bare.found && bare.rest.empty();
   if (alone && unit.empty() && bare.number != 0)
@@ -43,7 +43,7 @@ double parse_place(std::string_view word, const std::string& unit, int line) {
                     fmt::format("line {}: '{}' has no unit: write {}um, or a header '# x [um] y [um] depth "
                                 "[um]'",
                                 line, word, word));
-  return parse_quantity("points", std::string(word) + (alone ? unit.empty() ? "m" : unit : ""), "m");
+  return parse_quantity("points", std::string(word) + (alone ? " " + (unit.empty() ? "m" : unit) : ""), "m");
 }
 
 Places parse_points(std::string_view text, const MemoryBound& memory) {

@@ -42,7 +42,7 @@ def spheres(n):
 
 def rough(n):
     """A surface of 0.4 um rms height and a correlation length of 0.1 mm."""
-    drawn = asp.generate(shape=(n, n), size=SIDE, rq="0.4um", model="gaussian", length="0.1mm", seed=7)
+    drawn = asp.generate(shape=(n, n), size=asp.si(SIDE), rq="0.4um", model="gaussian", length="0.1mm", seed=7)
     return drawn.heights.values
 
 
@@ -53,12 +53,13 @@ def egg_box(n, share, height=1e-6):
 
 
 def asperity(gap, load, limit, periodic, tight):
-    body = asp.dataset(-gap, size=(SIDE, SIDE))
+    body = asp.dataset(-gap, size=asp.si((SIDE, SIDE)))
     for axis in ("x", "y"):
         body[axis].attrs["periodic"] = np.int32(periodic)
-    options = {"load": load, "young": YOUNG, "poisson": NU, "threads": 1, "tolerance": 1e-12 if tight else 1e-6}
+    options = {"load": asp.si(load), "young": asp.si(YOUNG), "poisson": NU, "threads": 1,
+               "tolerance": 1e-12 if tight else 1e-6}
     if np.isfinite(limit):
-        options["limit_pressure"] = limit
+        options["limit_pressure"] = asp.si(limit)
     start = processor()
     pressed = asp.contact(body, **options)
     return processor() - start, pressed.pressure.values

@@ -56,7 +56,8 @@ def egg_box():
 
 def bearing(make, depth):
     """The load on a rigid body that sinks into a half-space, and twice what half as many cells change, for order one."""
-    coarse, fine = (asp.contact(surface(make(n)), approach=depth, tolerance=1e-9, **STEEL).contact_load for n in (256, 512))
+    coarse, fine = (asp.contact(surface(make(n)), approach=asp.si(depth), tolerance=1e-9, **STEEL).contact_load
+                    for n in (256, 512))
     return fine, 2 * abs(fine - coarse)
 
 

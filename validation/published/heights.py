@@ -17,8 +17,8 @@ def peaks():
     of one exponential surface of 1024 x 1024 points, each 1, 2, 4, 8, 16 points.
     """
     length = 20
-    body = asp.generate(periodic=True, shape=(1024, 1024), size=SIDE, rq="1um", model="exponential", length=f"{length}px",
-                        length_level=EFOLD, seed=1)
+    body = asp.generate(periodic=True, shape=(1024, 1024), size=asp.si(SIDE), rq="1um", model="exponential",
+                        length=f"{length}px", length_level=EFOLD, seed=1)
     for step in (1, 2, 4, 8, 16):
         z = body.heights.values[::step]
         higher = (z > np.roll(z, 1, 0)) & (z > np.roll(z, -1, 0))
@@ -38,8 +38,8 @@ def summits():
     n = 1024
     q = 2 * np.pi / SIDE * np.fft.fftfreq(n, 1 / n)
     for rolloff, hurst in ((36, 0.8), (128, 0.3), (256, 0.3), (256, 0.8)):
-        body = asp.generate(periodic=True, shape=(n, n), size=SIDE, rq="0.1um", model="self-affine", hurst=hurst,
-                            rolloff=f"{rolloff}px", cutoff="32px", seed=5)
+        body = asp.generate(periodic=True, shape=(n, n), size=asp.si(SIDE), rq="0.1um", model="self-affine",
+                            hurst=hurst, rolloff=f"{rolloff}px", cutoff="32px", seed=5)
         power = np.abs(np.fft.fft2(body.heights.values)) ** 2 / n**4
         m0, m2, m4 = (((np.abs(q[:, None]) ** k + np.abs(q[None, :]) ** k) / 2 * power).sum() for k in (0, 2, 4))
         alpha, found = m0 * m4 / m2**2, asp.stats(body, parameters="hybrid")
@@ -64,7 +64,7 @@ def kernels():
     for model, weight in closed.items():
         found = []
         for cells in (8, 16):
-            values = asp.kernel(model=model, length=f"{cells}px", length_level=EFOLD, spacing=1e-6,
+            values = asp.kernel(model=model, length=f"{cells}px", length_level=EFOLD, spacing="1um",
                                 acf_tolerance=1e-5).kernel.values
             middle = values.shape[0] // 2
             found.append(values[middle + (radii * cells).astype(int), middle] * cells)
@@ -83,8 +83,8 @@ def spectrum():
     1.01 of the line's error.
     """
     for seed, hurst in enumerate((0.2, 0.4, 0.6, 0.8, 1.0), 20):
-        body = asp.generate(periodic=True, shape=(1024, 1024), size=SIDE, rq="0.1um", model="self-affine", hurst=hurst,
-                            rolloff="128px", cutoff="8px", seed=seed)
+        body = asp.generate(periodic=True, shape=(1024, 1024), size=asp.si(SIDE), rq="0.1um", model="self-affine",
+                            hurst=hurst, rolloff="128px", cutoff="8px", seed=seed)
         rings = asp.psd(body, result="radial")
         longest, shortest = 2 * np.pi * 1024 / SIDE / 100, 2 * np.pi * 1024 / SIDE / 9
         rings = rings[(rings.wave_number > longest) & (rings.wave_number < shortest)]

@@ -66,11 +66,11 @@ def rough_sphere_at(alpha, seeds, n=384, a=SIDE / 6, radius=50e-3):
     load, peak = 4 * MODULUS * a**3 / (3 * radius), 2 * MODULUS * a / (np.pi * radius)
     near, rows = np.hypot(*cells(n)) < a / 3, []
     for seed in seeds:
-        body = asp.generate(shape=(n, n), size=SIDE, rq=alpha * a**2 / radius, model="gaussian", length="3px",
-                            length_level=np.exp(-1), seed=seed)
+        body = asp.generate(shape=(n, n), size=asp.si(SIDE), rq=asp.si(alpha * a**2 / radius), model="gaussian",
+                            length="3px", length_level=np.exp(-1), seed=seed)
         summits = asp.stats(body, parameters="hybrid").value
         deviation = summits["summit_deviation"]
-        contact = asp.contact(body, radius=(radius, np.inf), load=load, **STEEL)
+        contact = asp.contact(body, radius=asp.si((radius, np.inf)), load=asp.si(load), **STEEL)
         centre = contact.displacement.values[n // 2 - 1 : n // 2 + 1, n // 2 - 1 : n // 2 + 1].mean()
         rows.append((3 * load / (4 * MODULUS * centre) / a,
                      contact.pressure.values[near].mean() / peak / (6 * (1 - (8 / 9) ** 1.5)),
@@ -101,7 +101,7 @@ def threshold(body, axis, unit, low=0.1, high=0.4):
     areas = []
     for _ in range(6):
         middle = (low + high) / 2
-        contact = asp.contact(body, load=middle * unit, add="patches", **STEEL)
+        contact = asp.contact(body, load=asp.si(middle * unit), add="patches", **STEEL)
         low, high = (low, middle) if contact.attrs[f"contact_percolates_{axis}"] else (middle, high)
         areas.append(contact.contact_area_corrected / SIDE**2)
     return areas[-1], abs(areas[-1] - areas[-2])
@@ -140,7 +140,8 @@ def plastic():
     stiff = MODULUS * slope(heights)
     for ratio in (0.0625, 0.125, 0.25, 8, 16, 32):
         limit = stiff / ratio
-        contact = asp.contact(surface(heights, True), load=0.02 * stiff * SIDE**2, limit_pressure=limit, **STEEL)
+        contact = asp.contact(surface(heights, True), load=asp.si(0.02 * stiff * SIDE**2), limit_pressure=asp.si(limit),
+                              **STEEL)
         share, error = (number / (0.02 * ratio) for number in of(contact, "area_corrected", SIDE**2))
         if ratio < 1:
             middle, doubt = (BUSH + PERSSON) / 2 / ratio, (BUSH - PERSSON) / 2 / ratio

@@ -5,7 +5,7 @@ import asperity as asp
 
 YOUNG, NU = 210e9, 0.3
 MODULUS = YOUNG / (1 - NU**2) / 2
-STEEL = {"young": YOUNG, "poisson": NU}
+STEEL = {"young": asp.si(YOUNG), "poisson": NU}
 SIDE = 1e-3
 
 
@@ -19,7 +19,7 @@ def cells(n, m=None):
 
 def surface(heights, periodic=False):
     n, m = heights.shape
-    out = asp.dataset(heights, size=(SIDE, SIDE * m / n))
+    out = asp.dataset(heights, size=asp.si((SIDE, SIDE * m / n)))
     for axis in ("x", "y"):
         out[axis].attrs["periodic"] = np.int32(periodic)
     return out
@@ -29,7 +29,7 @@ def pressed(heights, loads, **options):
     """Contacts of flats that repeat under these loads, with the errors of the grid."""
     body = surface(heights, True)
     options = {"add": "grid_errors", "tolerance": 1e-9, **STEEL, **options}
-    return [asp.contact(body, load=load, **options) for load in loads]
+    return [asp.contact(body, load=asp.si(load), **options) for load in loads]
 
 
 def of(contact, name, unit=1.0):

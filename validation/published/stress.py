@@ -22,9 +22,9 @@ def curvatures(ratio):
 
 def ellipse(ratio, n=384):
     along, across = curvatures(ratio)
-    return asp.contact(smooth=True, shape=(n, n), size=(3 * MINOR / ratio, 3 * MINOR), radius_x=(1 / along, np.inf),
-                       radius_y=(1 / across, np.inf), load=2 / 3 * PEAK * np.pi * MINOR**2 / ratio, tolerance=1e-9,
-                       add="grid_errors", **STEEL)
+    return asp.contact(smooth=True, shape=(n, n), size=asp.si((3 * MINOR / ratio, 3 * MINOR)),
+                       radius_x=asp.si((1 / along, np.inf)), radius_y=asp.si((1 / across, np.inf)),
+                       load=asp.si(2 / 3 * PEAK * np.pi * MINOR**2 / ratio), tolerance=1e-9, add="grid_errors", **STEEL)
 
 
 def deepest(ratio, contact=None):
@@ -77,8 +77,8 @@ def sliding():
     """
     a, p0 = 0.2e-3, 2e9
     load, radius = 2 / 3 * p0 * np.pi * a**2, 2 * a * MODULUS / (np.pi * p0)
-    contact = asp.contact(smooth=True, shape=(384, 384), size=(3 * a, 3 * a), radius=(radius, np.inf), load=load,
-                          tolerance=1e-9, **STEEL)
+    contact = asp.contact(smooth=True, shape=(384, 384), size=asp.si((3 * a, 3 * a)), radius=asp.si((radius, np.inf)),
+                          load=asp.si(load), tolerance=1e-9, **STEEL)
     for friction in (0, 0.25, 0.4, 0.5):
         found = asp.stress(contact, maximum=True, friction=friction, add="grid_errors")
         along = (1 - 2 * NU) / 3 + np.pi * friction * (4 + NU) / 8
@@ -118,9 +118,9 @@ AXIS = (0.25, 0.5, 1, 1.5, 2)
 def rolled(n, a=0.2e-3, p0=2e9, nu=0.25):
     """On n cells across: -sigma_x, -sigma_z on the axis, the largest shear stress, its depth, and that with friction."""
     modulus, width, rows = YOUNG / (1 - nu**2) / 2, 4 * a, 4
-    contact = asp.contact(smooth=True, boundary="periodic_x", shape=(rows, n), size=(rows * width / n, width),
-                          young=YOUNG, poisson=nu, radius_y=(modulus * a / (2 * p0), np.inf),
-                          load=np.pi / 2 * a * p0 * rows * width / n, tolerance=1e-9)
+    contact = asp.contact(smooth=True, boundary="periodic_x", shape=(rows, n), size=asp.si((rows * width / n, width)),
+                          young=asp.si(YOUNG), poisson=nu, radius_y=asp.si((modulus * a / (2 * p0), np.inf)),
+                          load=asp.si(np.pi / 2 * a * p0 * rows * width / n), tolerance=1e-9)
     points = {"x [m]": [0] * len(AXIS), "y [m]": [0] * len(AXIS), "depth [m]": [z * a for z in AXIS]}
     stress = asp.stress(contact, points=points, components="yy,zz")
     still = asp.stress(contact, maximum=True, of="max_shear")

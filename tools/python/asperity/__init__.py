@@ -10,7 +10,7 @@ tool itself (--describe): help(asperity.contact). Every call runs the tool, so t
 last bit. Data passes through pipes in memory.
 
 Options   as in the shell, with _ for - and behind a keyword: yield_, from_. A quantity is text with its unit,
-          "3mm", a number in SI, or a quantity of pint. A flag is True. Tuples, lists and arrays are A,B, of counts
+          "3mm", si(3e-3), a number in SI, or a quantity of pint. A flag is True. Tuples, lists and arrays are A,B, of counts
           AxB. A list repeats an option that may come again. The steps of filter come in the order as written.
 Files     where a tool reads one: a file's name, an xarray.Dataset or DataArray, a table, bytes.
 Surfaces  come first; where a tool takes several, also a list of them, or a dictionary that names them.
@@ -21,12 +21,12 @@ Errors    ToolError and its kinds UsageError, BadData and NotConverged, which ha
           ToolWarning. Notes go to the logger "asperity". An exit status from 5 on is an answer, not an error:
           asperity.validate returns its table.
 """
-from ._calls import Stage, dataset, ensemble, pipe, stage
+from ._calls import Stage, dataset, ensemble, pipe, si, stage
 from .errors import BadData, NotConverged, ToolError, ToolWarning, UsageError
 
 __version__ = "0.2.0"
 __all__ = ["BadData", "NotConverged", "Stage", "ToolError", "ToolWarning", "UsageError", "dataset", "ensemble",
-           "pipe", "stage"]
+           "pipe", "si", "stage"]
 
 
 def __getattr__(name):

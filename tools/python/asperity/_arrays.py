@@ -53,7 +53,7 @@ def _length(points):
     steps = np.diff(points.values.astype(float))
     if not np.allclose(steps, steps[0], rtol=1e-6, atol=0):
         raise ValueError(f"the coordinate {points.name!r} is not evenly spaced")
-    return f"{abs(float(steps.mean())) * len(points)!r}{points.attrs.get('units', 'm')}"
+    return _data.with_unit(repr(abs(float(steps.mean())) * len(points)), points.attrs.get("units", "m"))
 
 
 def _npy(array):

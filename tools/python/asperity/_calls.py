@@ -41,10 +41,11 @@ class Stage:
 
     @property
     def waits(self):
-        """Whether it needs a dataset and has none: it reads one, and no option says that there is none."""
+        """Whether it needs a dataset and has none: it reads one, and no option takes its place."""
         about = _options.table(self.name)
         own = about["parameters"]
-        alone = any(value is True and "INPUT" in own[name]["excludes"] for name, value in self.options.items())
+        alone = any(value is not None and value is not False and "INPUT" in own[name]["excludes"]
+                    for name, value in self.options.items())
         return bool(about["inputs"]) and not self.surfaces and not alone
 
     def again(self, **options):
@@ -148,12 +149,17 @@ def dataset(heights, size=None, unit="m", periodic=False):
 
     heights     two-dimensional, x first; masked points and NaN are missing. Of a DataArray, dimensions x and y are
                 put in this order, and its coordinates and units are used
-    size        side lengths: "3mm", "3mm,2mm", (3e-3, 2e-3) in metres. Of n points the length is n spacings
+    size        side lengths: "3mm", "3mm,2mm", asperity.si((3e-3, 2e-3)). Of n points the length is n spacings
     unit        of the heights: "um"
     periodic    whether the surface continues at its opposite edge: True, "x" or "y"
     """
     from . import _arrays
     return _arrays.dataset(heights, size, unit, periodic)
+
+
+def si(value):
+    """A number, or several, in the SI unit that help() gives of an option: rq=asperity.si(4e-7) is rq="0.4um"."""
+    return _data.Si(value)
 
 
 def ensemble(*stages, count, first=0, seed=None, processes=None, **options):

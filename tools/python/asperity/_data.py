@@ -17,6 +17,18 @@ class Source:
         return f"<{self.name}>"
 
 
+class Si:
+    """Numbers in SI; no text, which has its own unit."""
+
+    def __init__(self, value):
+        if is_name(value):
+            raise TypeError(f"asperity.si({value!r}): a text has its own unit, and stands alone")
+        self.value = value
+
+    def __repr__(self):
+        return f"asperity.si({self.value!r})"
+
+
 def _is(value, library, *types):
     module = sys.modules.get(library)
     return module is not None and isinstance(value, tuple(getattr(module, name) for name in types))
@@ -28,6 +40,11 @@ def is_truth(value):
 
 def is_name(value):
     return isinstance(value, (str, os.PathLike))
+
+
+def with_unit(number, unit):
+    """A quantity; behind a blank, a number of the unit's own is none of the first's digits, and the tool refuses it."""
+    return number + ("" if unit[:1].isalpha() or not unit else " ") + unit
 
 
 def brief(value):

@@ -6,15 +6,19 @@ does it. Text is UTF-8. Types that CDF-2 lacks, and variables above 4 GiB beside
 
 Cost      values are turned to the stream's order of bytes a mebibyte at a time: no copy of the data is made.
 """
+import re
 import struct
 import warnings
 
 import numpy as np
 
+from ._data import brief
 from ._types import OF_CDF5, number_of
 from .errors import ToolWarning
 
 PIECE = 1 << 20  # bytes
+NAME = re.compile(r"[A-Za-z0-9_\x80-\ud7ff\ue000-\U0010ffff][^\x00-\x1f/\x7f\ud800-\udfff]*")
+LONGEST_NAME = 256  # bytes
 
 
 # ---- variables and attributes in types of the format ----
@@ -53,11 +57,17 @@ def _with_fill(values, variable):
 
 
 def _attributes(of, attributes):
-    out = [(str(name), _attribute_values(value)) for name, value in attributes.items()]
-    if left := [name for name, values in out if values is None]:
-        warnings.warn(f"{of}: attributes that are neither text nor numbers are left out: {', '.join(left)}",
-                      ToolWarning, stacklevel=2)
-    return [(name, values) for name, values in out if values is not None]
+    out = {str(name): _attribute_values(value) if _is_name(str(name)) else None for name, value in attributes.items()}
+    if left := [name if _is_name(name) else brief(name) for name, values in out.items() if values is None]:
+        warnings.warn(f"{of}: attributes that are neither text nor numbers, or whose names NetCDF does not hold, are "
+                      f"left out: {', '.join(left)}", ToolWarning, stacklevel=2)
+    return [(name, values) for name, values in out.items() if values is not None]
+
+
+def _is_name(text):
+    """As the format defines names, and the tools check them."""
+    return (NAME.fullmatch(text) is not None and not text.endswith(" ")
+            and len(text.encode()) <= LONGEST_NAME)
 
 
 def _attribute_values(value):

@@ -5,13 +5,14 @@ import functools
 import inspect
 import json
 import keyword
+import math
 import numbers
 import os
 import shutil
 import subprocess
 
 from . import _data
-from .errors import ToolError
+from .errors import ToolError, UsageError
 
 PREFIX = "asperity-"
 NO_PARAMETERS = ("quiet", "json")  # notes are logged, and tables are read
@@ -94,7 +95,7 @@ def _kind_in_words(option):
     if option["value"] == "flag":
         return "bool"
     kind = " | ".join(option["words"]) or option["kind"]
-    number = f", a number is in {option['unit']}" if option["unit"] not in ("", "1") else ""
+    number = f", a number of asperity.si is in {option['unit']}" if option["unit"] not in ("", "1") else ""
     return kind + number + (", a list repeats it" if option["repeated"] else "")
 
 
@@ -144,29 +145,31 @@ def _file(option, name, value):
     return _data.source(value, name)
 
 
-def _text(option, name, value):
+def _text(option, name, value, unit=None):
+    """`unit`: of the number, if it has none by itself."""
     if _data.is_name(value):
         return os.fspath(value)
-    value, unit = _in_unit(option, value)
+    own = "" if option["unit"] == "1" else option["unit"]
+    if isinstance(value, _data.Si):
+        value, unit = value.value, own
+    elif hasattr(value, "magnitude") and hasattr(value, "to"):  # of pint
+        value, unit = value.to(own or "dimensionless").magnitude, own
+    elif own:
+        unit = getattr(value, "attrs", {}).get("units", unit)
     if getattr(value, "ndim", None) == 0 and hasattr(value, "item"):
         value = value.item()
     if isinstance(value, numbers.Real) and not _data.is_truth(value):
-        return _number(option, value, unit)
+        return _number(option, name, value, unit if own else "")
     if isinstance(value, (list, tuple)) or getattr(value, "ndim", None) == 1:
-        return ("x" if option["kind"] == "AxB" else ",").join(_text(option, name, v) for v in value)
+        return ("x" if option["kind"] == "AxB" else ",").join(_text(option, name, v, unit) for v in value)
     raise TypeError(f"{name}={_data.brief(value)}: the option needs {option['kind']}, as text or numbers")
 
 
-def _in_unit(option, value):
-    """The number and its unit: of pint in SI, of a DataArray in its own if it has one, of others in SI."""
-    unit = "" if option["unit"] == "1" else option["unit"]
-    if hasattr(value, "magnitude") and hasattr(value, "to"):
-        return value.to(unit or "dimensionless").magnitude, unit
-    return value, unit and getattr(value, "attrs", {}).get("units", unit)
-
-
-def _number(option, value, unit):
-    if isinstance(value, numbers.Integral) or option["kind"] in ("N", "AxB") and float(value).is_integer():
-        return str(int(value)) + unit
-    text = repr(float(value))
-    return text if text.lstrip("-") == "inf" else text + unit
+def _number(option, name, value, unit):
+    """In its unit; without one, 0 and infinity are left to the tool."""
+    whole = isinstance(value, numbers.Integral) or option["kind"] in ("N", "AxB") and float(value).is_integer()
+    text = str(int(value)) if whole else repr(float(value))
+    if unit is None and value != 0 and not math.isinf(value):
+        raise UsageError(f"{name}={text} has no unit: write it as a text with its unit, or asperity.si({text}) for "
+                         f"{text} {option['unit']}", status=2)
+    return "0" if unit is None and value == 0 else text if math.isinf(value) else _data.with_unit(text, unit or "")

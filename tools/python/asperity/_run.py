@@ -94,9 +94,11 @@ class Run:
         descriptors = []
         for word in stage.words:
             if not isinstance(word, str):
-                descriptors.append(_in_memory(word, files))
+                own = _in_memory(word, files)
+                same = [d for d in descriptors if _same(d, own)]
+                descriptors += same[:1] or [own]
                 path = f"/proc/self/fd/{descriptors[-1]}"
-                self.files[path], word = word.name, path
+                self.files[path], word = self.files[path] if same else word.name, path
             words.append(word)
         try:
             return subprocess.Popen(words, stdin=before, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0,
@@ -208,6 +210,13 @@ class Run:
 def failed(code):
     """Whether a tool ended without a result, and not because nobody read it."""
     return code not in (0, 3, -signal.SIGPIPE) and code < FIRST_ANSWER
+
+
+def _same(one, other):
+    """Whether two files in memory hold the same bytes: they are one file to the tool, which may want different ones."""
+    size = os.fstat(other).st_size
+    return os.fstat(one).st_size == size and all(os.pread(one, PIPE_BYTES, at) == os.pread(other, PIPE_BYTES, at)
+                                                 for at in range(0, size, PIPE_BYTES))
 
 
 def _in_memory(source, files):
