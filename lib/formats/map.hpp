@@ -62,6 +62,10 @@ double metres_per(std::string_view unit);
 /// Converts lengths to metres; other values stay. Throws DataError("map", …) when a value becomes infinite.
 void set_units(Map& map, std::string_view unit);
 
+/// [m]; a mark of missing points may be so large, in any unit of length, but no height is.
+inline constexpr double no_height = 1e20;
+/// Throws DataError("map", …) with a height that is none.
+void require_heights(const Map& map);
 /// Throws DataError("map", …) for a map of unknown size, which `format` needs.
 void check_size(const Map& map, const std::string& format);
 /// Also for a quantity that is not a length, which `format` cannot hold.
@@ -71,7 +75,8 @@ void check_heights(const Map& map, const std::string& format);
 std::vector<std::string> notes_of(const Map& map);
 /// As a dataset with x, y and `heights`, or `values` if the quantity is not a length; missing points become
 /// `mask` and _FillValue. Without a unit, metres are assumed. Throws DataError("x", …) when the map has no
-/// size, DataError(name, …) when a point is infinite or all are missing.
+/// size, DataError("map", …) when a height is none, DataError(name, …) when a point is infinite or all are
+/// missing.
 Dataset dataset_of(const Map& map);
 /// The map of a variable on (x, y).
 Map map_of(const Dataset& dataset, std::string_view variable);

@@ -82,6 +82,7 @@ Map MapOptions::applied(Map map) const {
       throw UsageError("size", format_quantity(size_[axis], "m") + " is not a positive length");
     map.spacing[axis] = size_[axis] / static_cast<double>(axis == 0 ? map.values.rows() : map.values.cols());
   }
+  require_heights(map);
   return map;
 }
 
