@@ -51,9 +51,8 @@ std::array<double, 2> spacing_of(const Head& head) {
 }
 
 void remove_missing(Field& values, const Head& head) {
-  const std::string_view key = head.has("NODATA") ? "NODATA" : "NODATA_value";
-  if (lower(head.text(key)) == "nan") return;
-  const double nodata = head.has(key) ? head.number(key) : usual_nodata;
+  if (lower(head.text("NODATA_value")) == "nan") return;
+  const double nodata = head.has("NODATA_value") ? head.number("NODATA_value") : usual_nodata;
   const double rounding = std::abs(nodata) * (std::abs(nodata) < no_height ? 0x1p-23 : 1e-5);
   values = ((values - nodata).abs() <= rounding).select(Map::unknown, values);
 }

@@ -120,7 +120,9 @@ std::string unit_of(const Table& table, const Columns& columns, const Stated& st
   if (!label.empty() && !stated.units.empty() && !same_length(label, std::string(stated.units)))
     refuse("the values have the unit {} in one line and {} in another: remove one", quoted(label),
            quoted(stated.units));
-  if (out.empty() && columns.points() && !columns.units[0].empty() && !reading.unit_told)
+  const auto placed = columns.units.end() - 1;  // of x and y
+  if (out.empty() && columns.points() && !reading.unit_told &&
+      std::none_of(columns.units.begin(), placed, [](const std::string& unit) { return unit.empty(); }))
     refuse("the text gives no unit of z: give it to asperity-convert (`unit`)");
   return out;
 }
