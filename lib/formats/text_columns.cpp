@@ -9,6 +9,7 @@
 #include "formats/refuse.hpp"
 #include "formats/text_coordinates.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/text_units.hpp"
 
 namespace asperity {
 namespace {
@@ -149,7 +150,7 @@ std::optional<Columns> labelled_columns(const Labels& labels, Index columns) {
 
 // Of values in all columns: theirs, if all are alike.
 std::string common_unit(const Labels& labels, bool told) {
-  if (labels.empty()) return "";
+  if (labels.empty() || (labels.size() == 1 && names_coordinates(labels[0].name))) return "";
   const std::string& unit = labels[0].unit;
   const auto other = std::ranges::find_if(labels, [&](const Label& l) { return !same_length(l.unit, unit); });
   if (other == labels.end()) return unit;

@@ -124,13 +124,12 @@ struct Subject {
     if (part.empty() || part == "in") return;
     const bool letters = part.find_first_not_of("xyz") == part.npos, has_z = part.find('z') != part.npos;
     const CoordinateRole role = role_of(part);
-    z |= letters && has_z;
-    if (letters ? !has_z : role == CoordinateRole::x || has_one_of(part, along))
+    if (letters)
+      (has_z ? z : lateral) = true;
+    else if (role == CoordinateRole::x || has_one_of(part, along))
       lateral = true;
-    else if (role == CoordinateRole::z || has_one_of(part, values))
-      height = true;
     else
-      other |= !letters;
+      (role == CoordinateRole::z || has_one_of(part, values) ? height : other) = true;
   }
 };
 
@@ -260,6 +259,12 @@ std::string unit_of_values(const std::vector<HeadLine>& head, const std::string&
   Statements out;
   for (const HeadLine& line : head) out.read(line);
   return out.settled(known, reading.unit_told);
+}
+
+bool names_coordinates(std::string_view name) {
+  Subject out;
+  out.add(name);
+  return out.of_coordinates();
 }
 
 std::vector<HeadLine> head_lines(std::string_view text) {

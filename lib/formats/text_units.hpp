@@ -21,6 +21,8 @@ namespace asperity {
 std::string unit_of_values(const std::vector<HeadLine>& head, const std::string& known,
                            const Reading& reading);
 
+/// Whether a name is that of x or y, or of their size.
+bool names_coordinates(std::string_view name);
 /// The lines of a text.
 std::vector<HeadLine> head_lines(std::string_view text);
 

@@ -117,6 +117,7 @@ TEST_CASE("a unit that the head gives the values is used, in whatever words, and
     CHECK(
         format::text.decode(head + ("\n1 7 2 5 3 8 6" + std::string("\n2 3 4 9 1 5 7\n")), {}).units.empty());
   }
+  CHECK(format::text.decode("Pixel size (um)\n1\n7\n2\n", {}).units.empty());
   CHECK(format::esri.decode("ncols 2\nnrows 1\nzunits nm\ncellsize 1e-6\n1 2\n", {}).values(0, 0) == 1e-9);
   CHECK(format::gwyddion_text.decode("# Value units: nm\n# Width: 2 um\n# Height: 1 um\n1 2\n", {})
             .values(0, 0) == 1e-9);

@@ -42,7 +42,8 @@ void MapOptions::declare(Tool& tool) {
   tool.quantities("--size", size_, "m",
                   "Side lengths Lx,Ly; needed if the file does not give them, and replaces wrong ones",
                   "Input");
-  tool.text("--unit", unit_, "UNIT", "Unit of the values, if the file gives none: um, nm, V. Default: m",
+  tool.text("--unit", unit_, "UNIT",
+            "Unit of the values, if the file gives none, or an unclear one: um, V, '2.5e-9 m'. Default: m",
             "Input");
 }
 
