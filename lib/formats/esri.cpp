@@ -10,7 +10,8 @@
 /// are metres, and so are heights unless the user gives another unit.
 ///
 /// A value is missing when it equals NODATA to single precision, which many programs use, or to five digits
-/// if it is too large for a height: some print -3.40282e+38 there, and all digits below. Files are written with NODATA -9999, or with a lower power of ten if heights come near it.
+/// if it is too large for a height: some print -3.40282e+38 there, and all digits below. Files are written
+/// with NODATA -9999, or with a lower power of ten if heights come near it.
 ///
 /// GDAL, AAIGrid driver, https://gdal.org/drivers/raster/aaigrid.html
 #include <cctype>

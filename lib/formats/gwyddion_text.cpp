@@ -7,8 +7,8 @@
 /// and a line of values for each y, from the top of the image, which is the smallest y here. Gwyddion
 /// translates the words, so the size is read from the two lines with a number and a length, the first of
 /// which is the width, the title from a line above them and the unit from one below, unless a line states it
-/// in words that are known (formats/text_units.hpp). Decimal commas and exponents of three digits are accepted. The size is that of the area of all
-/// pixels.
+/// in words that are known (formats/text_units.hpp). Decimal commas and exponents of three digits are
+/// accepted. The size is that of the area of all pixels.
 #include <optional>
 #include <vector>
 

@@ -61,7 +61,7 @@ std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimit
   return "unknown format, and Gwyddion cannot read the file either" + (words.empty() ? "" : ": " + words);
 }
 
-// Gwyddion 2.62 takes the sizes of WSxM in the prefix of the heights: beside heights in nm, 1 µm becomes 1 nm.
+// Gwyddion 2.62 takes sizes of WSxM in the prefix of the heights: beside heights in nm, 1 µm becomes 1 nm.
 void check_wsxm(const Map& map, std::string_view bytes) {
   if (!bytes.starts_with("WSxM file copyright")) return;
   const Head head(bytes.substr(0, bytes.find("[Header end]")), ":");
