@@ -28,15 +28,14 @@ struct Length {
   std::string_view unit;
 };
 
-// "10.00 µm" → {10.00, µm}; nothing without a number followed by a unit of length.
+// "10.00 µm" → {10.00, µm}; nothing without a number followed by a word.
 std::optional<Length> length_of(std::string_view text) {
   const std::size_t blank = text.find_first_of(" \t");
   if (blank == text.npos) return std::nullopt;
   const std::string_view word = text.substr(0, blank);
   const auto number = number_of(word, word.find(',') == word.npos ? Comma::none : Comma::decimal);
   if (!number) return std::nullopt;
-  const std::string_view unit = trimmed(text.substr(blank));
-  return is_length(unit) ? std::optional(Length{*number, unit}) : std::nullopt;
+  return Length{*number, trimmed(text.substr(blank))};
 }
 
 struct GwyddionHead {
@@ -54,7 +53,7 @@ GwyddionHead take_head(std::string_view& text) {
     const std::string_view line = take_line(text);
     const std::size_t colon = line.find(':');
     const std::string_view value = colon == line.npos ? "" : trimmed(line.substr(colon + 1));
-    if (const auto length = length_of(value)) {
+    if (const auto length = length_of(value); length && (out.lengths.size() < 2 || is_length(length->unit))) {
       out.lengths.push_back(*length);
     } else if (out.lengths.empty() && out.channel.empty() && !is_unit(value)) {
       out.channel = value;

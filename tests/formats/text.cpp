@@ -184,6 +184,22 @@ TEST_CASE("what is written as Gwyddion's text is read again the same, missing po
   CHECK(relative_error(again.spacing[1], map.spacing[1]) <= 2 * epsilon);
 }
 
+// A third size, or a second unit, was passed over; a unit above the sizes was taken for the title.
+TEST_CASE("Gwyddion's text with another size or unit is refused, one with an unknown unit too",
+          "[formats][contract]") {
+  const std::string sizes = "# Width: 2 um\n# Height: 1 um\n";
+  const auto refused = [](const std::string& head, const char* words) {
+    CHECK(format::gwyddion_text.recognises(head));
+    CHECK_THROWS_WITH(format::gwyddion_text.decode(head + "1 2\n", {}), ContainsSubstring(words));
+  };
+  refused(sizes + "# Width: 3 um\n", "3 sizes, not a width and a height");
+  refused(sizes + "# Value units: nm\n# Value units: um\n", "the unit 'nm' and the unit 'um'");
+  refused("# Width: 2 px\n# Height: 1 px\n", "'px'");
+  const Map map =
+      format::gwyddion_text.decode("# Map\n# Value units: nm\n" + sizes + "# Date: 12 May 2024\n1 2\n", {});
+  CHECK(relative_error(map.values(1, 0), 2e-9) <= 2 * epsilon);
+}
+
 // A head that states the size, numbers that do not fill a rectangle, or some of them missing.
 TEST_CASE("formats of text with a head have missing points and refuse what is ragged as a bare matrix does",
           "[formats][contract]") {
