@@ -218,7 +218,8 @@ class Statements {
     former.add(before_it);
     const bool last = i + 1 == words.size() || words[i + 1].before != ' ' || words[i + 1].brackets;
     const bool behind_in = before == ' ' && lower(before_it) == "in";
-    const bool prompted = last && (before != ' ' || former.unit || before_it == "of");
+    const bool named_before = !former.empty() && !former.other;
+    const bool prompted = last && (before != ' ' || named_before || before_it == "of");
     const std::string length = behind_in || prompted ? length_in(text) : "";
     return behind_in || is_metric(length) ? length : "";
   }

@@ -239,6 +239,8 @@ TEST_CASE("a unit that the head gives the values is used, in whatever words, and
                            "Pixel size: 0.5 um\nUnits: nm",
                            "z/nm",
                            "Messwerte/nm",
+                           "Units: x um, y um, z nm",
+                           "H\xf6he nm",
                            "Rauheit [nm]",
                            "UNITS NM",
                            "# Values in units of nm",
