@@ -2,9 +2,9 @@
 ///
 /// A unit stands in brackets, behind a separator, "in", "unit" or a name, or alone: "z unit: nm",
 /// "Height (nm)", "heights in nm"; beside a number it belongs to that quantity ("Radius: 12.5 um",
-/// "Cutoff [mm]: 0.8"). The words before it tell whose it is: of the values (z, height, data, Höhe; or "Units" alone), of x and y
-/// (width, pixel), or of neither or both, which is unclear. A number behind "z factor", "scale" and the like
-/// multiplies the values, unless it is 1.
+/// "Cutoff [mm]: 0.8"). The words before it tell whose it is: of the values (z, height, data, Höhe; or
+/// "Units" alone), of x and y (width, pixel), or of neither or both, which is unclear. A number behind
+/// "z factor", "scale" and the like multiplies the values, unless it is 1.
 #pragma once
 
 #include <string>
