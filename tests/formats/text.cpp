@@ -255,8 +255,9 @@ TEST_CASE("a unit that the head gives the values is used, in whatever words, and
   CHECK(format::text.decode("Value units: V" + rows, {}).units == "V");
   for (const char* head :
        {"pixel size: 0.5 um", "Pixel size (um)", "Lateral units: um", "xy unit: um", "Scan size: 10 um",
-        "Stylus radius: 12.5 um", "Wavelength (nm): 632.8", "Cutoff [mm]\t0.8", "Height range: 12 nm",
-        "Date: 12 May 2024 10:30 pm", "Mode: point\nDirection: in", "Force unit: nN", "Zoom factor: 2.5"}) {
+        "Stylus radius: 12.5 um", "Radius;12.5;um", "Scan line : 150. [um]", "Wavelength (nm): 632.8",
+        "Cutoff [mm]\t0.8", "Height range: 12 nm", "Date: 12 May 2024 10:30 pm", "Mode: point\nDirection: in",
+        "Force unit: nN", "Zoom factor: 2.5"}) {
     CAPTURE(head);
     CHECK(
         format::text.decode(head + ("\n1 7 2 5 3 8 6" + std::string("\n2 3 4 9 1 5 7\n")), {}).units.empty());
