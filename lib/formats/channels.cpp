@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <vector>
 
-#include "formats/map.hpp"
 #include "formats/refuse.hpp"
+#include "formats/text_labels.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr std::size_t most_listed = 8;
-
-bool is_length(std::string_view unit) {
-  try {
-    return !unit.empty() && metres_per(unit) > 0;
-  } catch (const DataError&) {
-    return false;
-  }
-}
 
 // "0 'Topography', 1 'Phase'"
 std::string list_of(std::span<const Channel> channels) {

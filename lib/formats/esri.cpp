@@ -5,11 +5,12 @@
 ///     xllcorner 0                position of the grid (or xllcenter): ignored
 ///     yllcorner 0
 ///     cellsize 1e-06             spacing; or dx and dy if the two differ, as in GDAL
-///     NODATA_value -9999         a missing point; optional, may be nan
+///     NODATA_value -9999         a missing point; may be nan; -9999 unless given
 /// and nrows·ncols numbers with any line breaks. Keys in any case and order. The file has no units: lengths
 /// are metres, and so are heights unless the user gives another unit.
 ///
-/// A value is missing when it equals NODATA to single precision, which many programs use. Files are written
+/// A value is missing when it equals NODATA to single precision, which many programs use, or to five digits
+/// if it is too large for a height: some print -3.40282e+38 there, and all digits below. Files are written
 /// with NODATA -9999, or with a lower power of ten if heights come near it.
 ///
 /// GDAL, AAIGrid driver, https://gdal.org/drivers/raster/aaigrid.html
@@ -21,11 +22,13 @@
 #include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
+#include "formats/text_units.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr std::string_view blanks = " \t";
+constexpr double usual_nodata = -9999;
 
 bool begins_with_letter(std::string_view line) {
   return !line.empty() && std::isalpha(static_cast<unsigned char>(line.front())) != 0 &&
@@ -40,20 +43,24 @@ Head head_of(std::string_view& bytes) {
 }
 
 std::array<double, 2> spacing_of(const Head& head) {
-  if (!head.has("dx") && !head.has("dy")) return {head.positive("cellsize"), head.positive("cellsize")};
-  return {head.positive("dx"), head.positive("dy")};
+  const bool apart = head.has("dx") || head.has("dy"), cell = !apart || head.has("cellsize");
+  const double side = cell ? head.positive("cellsize") : 0;
+  const std::array out{apart ? head.positive("dx") : side, apart ? head.positive("dy") : side};
+  if (cell && (out[0] != side || out[1] != side))
+    refuse("cellsize and dx, dy in the header differ: remove one");
+  return out;
 }
 
 void remove_missing(Field& values, const Head& head) {
   if (lower(head.text("NODATA_value")) == "nan") return;
-  const double nodata = head.number("NODATA_value");
-  const double rounding = std::ldexp(std::abs(nodata), -23);
+  const double nodata = head.has("NODATA_value") ? head.number("NODATA_value") : usual_nodata;
+  const double rounding = std::abs(nodata) * (std::abs(nodata) < no_height ? 0x1p-23 : 1e-5);
   values = ((values - nodata).abs() <= rounding).select(Map::unknown, values);
 }
 
 double nodata_of(const Field& values) {
   const double low = values.minCoeff<Eigen::PropagateNumbers>();
-  if (!(low < -5000)) return -9999;
+  if (!(low < -5000)) return usual_nodata;
   const double out = -std::pow(10.0, std::ceil(std::log10(-low)) + 1);
   if (!std::isfinite(out)) refuse("the heights are so low that no number below them can mark missing points");
   return out;
@@ -66,11 +73,14 @@ bool recognises(std::string_view bytes) {
 }
 
 Map decode(std::string_view bytes, const Reading& reading) {
+  const std::string_view all = bytes;
   const Head head = head_of(bytes);
   const Shape shape{head.count("ncols"), head.count("nrows")};
   Map map{.values = field_of_lines(bytes, shape, head.lines() + 1, reading), .spacing = spacing_of(head)};
   map.values = map.values.rowwise().reverse().eval();
-  if (head.has("NODATA_value")) remove_missing(map.values, head);
+  remove_missing(map.values, head);
+  const std::string unit = unit_of_values(head_lines(all.substr(0, all.size() - bytes.size())), "", reading);
+  if (!unit.empty()) set_units(map, unit);
   return map;
 }
 

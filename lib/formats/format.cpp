@@ -1,6 +1,7 @@
 #include "formats/format.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "formats/refuse.hpp"
 #include "formats/text_encoding.hpp"
@@ -14,9 +15,14 @@ bool has_extension(const Format& format, std::string_view extension) {
          fmt::format(" {} ", format.extensions).find(fmt::format(" {} ", extension)) != std::string::npos;
 }
 
-// No text has them, unless it is UTF-16 with its mark.
-bool has_zeros(std::string_view bytes) {
-  return !is_utf16(bytes) && bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+// The first bytes, some in the middle and the last without their padding: numbers may follow a long head of
+// words.
+std::array<std::string_view, 3> samples_of(std::string_view bytes) {
+  constexpr std::size_t size = 4096;
+  if (bytes.size() <= size) return {bytes};
+  std::size_t end = std::max(bytes.find_last_not_of(std::string_view("\0\x1a", 2)) + 1, size);
+  end -= end % 2;
+  return {bytes.substr(0, size), bytes.substr(end / 4 * 2, size), bytes.substr(end - size, size)};
 }
 
 }  // namespace
@@ -30,10 +36,8 @@ std::span<const Format> formats() {
 }
 
 bool is_text(std::string_view bytes) {
-  if (is_utf16(bytes) || lacks_mark(bytes)) return true;
-  return std::ranges::none_of(bytes.substr(0, 4096), [](unsigned char c) {
-    return c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
-  });
+  const bool wide = is_utf16(bytes) || lacks_mark(bytes);
+  return std::ranges::none_of(samples_of(bytes), wide ? has_wide_control : has_control);
 }
 
 const Format& format_named(std::string_view name, const std::string& option) {
@@ -57,10 +61,11 @@ const Format* format_by_extension(std::string_view file_name) {
 const Format* known_format(std::string_view bytes, std::string_view file_name) {
   for (const Format& format : formats())
     if (format.recognises && format.recognises(bytes)) return &format;
-  if (const Format* format = format_by_extension(file_name);
-      format && !format->recognises && !has_zeros(bytes))
-    return format;
-  return is_text(bytes) ? &format::text : nullptr;
+  if (is_text(bytes)) return &format::text;
+  const Format* const format = format_by_extension(file_name);
+  const auto zeros = [](std::string_view sample) { return sample.find('\0') != sample.npos; };
+  const bool named = format && !format->recognises && !is_utf16(bytes);
+  return named && std::ranges::none_of(samples_of(bytes), zeros) ? format : nullptr;
 }
 
 const Format& format_of(std::string_view bytes, std::string_view file_name) {

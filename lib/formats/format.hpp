@@ -1,7 +1,8 @@
 /// The formats of maps, and how the format of a file is found.
 ///
 /// The first bytes decide. If they do not, the extension of the name decides among the formats without
-/// typical first bytes, unless there are zeros among them. Any other text is read as a matrix of numbers.
+/// typical first bytes, unless there are zeros among them, in the middle or at the end. Any other text is
+/// read as a matrix of numbers.
 #pragma once
 
 #include <span>
@@ -37,7 +38,8 @@ extern const Format esri, gsf, gwy, gwyddion_text, npy, nrrd, sdf, sdf_ascii, su
 
 std::span<const Format> formats();
 
-/// Whether the first bytes are text: no control characters except white space.
+/// Whether bytes are text: no control characters except white space at the beginning, in the middle and at
+/// the end.
 bool is_text(std::string_view bytes);
 
 /// Throws ParameterError(option, …) with the list of names.

@@ -5,17 +5,20 @@
 ///     # Height: 10.00 µm
 ///     # Value units: m
 /// and a line of values for each y, from the top of the image, which is the smallest y here. Gwyddion
-/// translates the words, so the size is read from the two lines with a number and a length; the first is the
-/// width. Decimal commas and exponents of three digits are accepted. The size is that of the area of all
-/// pixels.
+/// translates the words, so the size is read from the two lines with a number and a length, the first of
+/// which is the width, the title from a line above them and the unit from one below, unless a line states it
+/// in words that are known (formats/text_units.hpp). Decimal commas and exponents of three digits are
+/// accepted. The size is that of the area of all pixels.
 #include <optional>
 #include <vector>
 
 #include "dataset/bytes.hpp"
 #include "formats/format.hpp"
 #include "formats/refuse.hpp"
+#include "formats/text_labels.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
+#include "formats/text_units.hpp"
 
 namespace asperity {
 namespace {
@@ -38,6 +41,7 @@ std::optional<Length> length_of(std::string_view text) {
 struct GwyddionHead {
   std::vector<Length> lengths;
   std::string_view channel, units;
+  std::vector<HeadLine> others;
   std::size_t lines = 0;
 };
 
@@ -48,12 +52,15 @@ GwyddionHead take_head(std::string_view& text) {
   for (; text.starts_with('#') && is_comment(first(), Separator::tab); ++out.lines) {
     const std::string_view line = take_line(text);
     const std::size_t colon = line.find(':');
-    if (colon == line.npos) continue;
-    const std::string_view value = trimmed(line.substr(colon + 1));
-    if (const auto length = length_of(value))
+    const std::string_view value = colon == line.npos ? "" : trimmed(line.substr(colon + 1));
+    if (const auto length = length_of(value); length && (out.lengths.size() < 2 || is_length(length->unit))) {
       out.lengths.push_back(*length);
-    else
-      (out.lengths.empty() ? out.channel : out.units) = value;
+    } else if (out.lengths.empty() && out.channel.empty() && !is_unit(value)) {
+      out.channel = value;
+    } else {
+      out.others.push_back({out.lines + 1, line});
+      if (out.units.empty() && !out.lengths.empty()) out.units = value;
+    }
   }
   return out;
 }
@@ -73,12 +80,14 @@ Map decode(std::string_view bytes, const Reading& reading) {
   const GwyddionHead head = take_head(bytes);
   if (const std::size_t line = bytes.find("\n#"); line != bytes.npos)
     refuse_rest(bytes.substr(line + 1), "map");  // another head
-  if (head.lengths.size() < 2) refuse("the header has no width and height");
+  if (head.lengths.size() != 2)
+    refuse("the header has {}, not a width and a height", counted(std::ssize(head.lengths), "size"));
   Map map{.values = matrix_of(bytes, "map", head.lines + 1, reading).transpose(),
           .title = std::string(head.channel)};
   map.spacing = {metres(head.lengths[0]) / static_cast<double>(map.values.rows()),
                  metres(head.lengths[1]) / static_cast<double>(map.values.cols())};
-  set_units(map, head.units);
+  const std::string stated = unit_of_values(head.others, "", reading);
+  set_units(map, stated.empty() ? head.units : std::string_view(stated));
   return map;
 }
 

@@ -23,14 +23,31 @@ std::size_t Head::lines() const {
   return out;
 }
 
-// A value, even an empty one, points into the header; a missing one is null.
-std::string_view Head::text(std::string_view key) const {
-  for (std::string_view rest = lines_; !rest.empty();) {
-    const std::string_view line = trimmed(take_line(rest));
+std::string_view Head::take(std::string_view& lines, std::string_view key) const {
+  while (!lines.empty()) {
+    const std::string_view line = trimmed(take_line(lines));
     const std::size_t end = line.find_first_of(separators_);
-    if (end != line.npos && same_key(trimmed(line.substr(0, end)), key)) return trimmed(line.substr(end + 1));
+    if (end == line.npos || !same_key(trimmed(line.substr(0, end)), key)) continue;
+    if (!line.substr(end).starts_with(":="))
+      return trimmed(line.substr(end + 1));  // a user's own key in NRRD
   }
   return {};
+}
+
+bool Head::has(std::string_view key) const {
+  std::string_view rest = lines_;
+  return take(rest, key).data() != nullptr;
+}
+
+std::string_view Head::text(std::string_view key) const {
+  std::string_view rest = lines_;
+  const std::string_view out = take(rest, key);
+  for (std::string_view next = take(rest, key); next.data() != nullptr; next = take(rest, key)) {
+    const auto number = number_of(out);
+    if (next != out && !(number && number == number_of(next)))
+      refuse("{} is {} and {} in the header: remove one", key, quoted(out), quoted(next));
+  }
+  return out;
 }
 
 double Head::number(std::string_view key) const {

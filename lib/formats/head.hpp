@@ -1,7 +1,7 @@
 /// Headers of files: lines of a key, a separator and a value.
 ///
 /// A header is a view of the file's text and is searched for each key, so that it needs no memory of its own.
-/// Keys ignore case; the first line with a key counts.
+/// Keys ignore case. A key with two values is refused.
 #pragma once
 
 #include <string_view>
@@ -16,15 +16,18 @@ class Head {
   Head(std::string_view lines, std::string_view separators) : lines_(lines), separators_(separators) {}
 
   std::size_t lines() const;
-  bool has(std::string_view key) const { return text(key).data() != nullptr; }
-  /// The value without blanks at its ends, "" if there is none.
+  bool has(std::string_view key) const;
+  /// The value without blanks at its ends, "" if there is none. Throws DataError("map", …) if there are two.
   std::string_view text(std::string_view key) const;
-  /// Throw DataError("map", …) unless the value is a finite number, a positive one, a whole one from 0.
+  /// Throw DataError("map", …) also unless the value is a finite number, a positive one, a whole one from 0.
   double number(std::string_view key) const;
   double positive(std::string_view key) const;
   Index count(std::string_view key) const;
 
  private:
+  /// The next value, removed from the lines with all above it; null if there is none.
+  std::string_view take(std::string_view& lines, std::string_view key) const;
+
   std::string_view lines_, separators_;
 };
 

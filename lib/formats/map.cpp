@@ -78,6 +78,17 @@ void require_finite(const Map& map) {
   if (map.values.isInf().any()) refuse("a value is infinite in metres");
 }
 
+void require_heights(const Map& map) {
+  if (!map.units.empty() && map.units != "m") return;
+  const double most = map.values.abs().maxCoeff<Eigen::PropagateNumbers>();
+  if (!(most >= no_height) || std::isinf(most)) return;
+  const std::string& unit = map.file_units;
+  refuse(
+      "{}{} is too much for a height: if it marks missing points, write nan, or, of a text, tell "
+      "asperity-convert (`missing`)",
+      shortest(unit.empty() ? most : most / metres_per(unit)), unit.empty() ? "" : " " + one_line(unit, 24));
+}
+
 void check_size(const Map& map, const std::string& format) {
   for (const double spacing : map.spacing)
     if (!(spacing > 0 && std::isfinite(spacing)))
@@ -109,6 +120,7 @@ Dataset dataset_of(const Map& map) {
   const bool finite =
       (0.0 * map.values).sum() == 0;  // a product is NaN where the value is none: one fast pass
   if (!finite && map.values.isInf().any()) throw DataError(name, "a value is infinite");
+  require_heights(map);
   if (map.values.isNaN().all()) throw DataError(name, "all points are missing");
   if (!finite)
     set_with_missing(out, name, map.values, {units, words});

@@ -67,6 +67,10 @@ void leave_out_infinite(Map& map);
 /// Throws DataError("map", …) when a value is infinite in metres.
 void require_finite(const Map& map);
 
+/// [m]; a mark of missing points may be so large, in any unit of length, but no height is.
+inline constexpr double no_height = 1e20;
+/// Throws DataError("map", …) with a height that is none.
+void require_heights(const Map& map);
 /// Throws DataError("map", …) for a map of unknown size, which `format` needs.
 void check_size(const Map& map, const std::string& format);
 /// Also for a quantity that is not a length, which `format` cannot hold.
@@ -76,7 +80,8 @@ void check_heights(const Map& map, const std::string& format);
 std::vector<std::string> notes_of(const Map& map);
 /// As a dataset with x, y and `heights`, or `values` if the quantity is not a length; missing points become
 /// `mask` and _FillValue. Without a unit, metres are assumed. Throws DataError("x", …) when the map has no
-/// size, DataError(name, …) when a point is infinite or all are missing.
+/// size, DataError("map", …) when a height is none, DataError(name, …) when a point is infinite or all are
+/// missing.
 Dataset dataset_of(const Map& map);
 /// The map of a variable on (x, y).
 Map map_of(const Dataset& dataset, std::string_view variable);

@@ -11,6 +11,7 @@
 /// bytes.
 ///
 /// NumPy reference, numpy.lib.format, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -95,9 +96,12 @@ void take_shape(Literals& text, std::vector<Index>& shape) {
 
 Described description_of(Literals text) {
   Described out;
+  std::vector<std::string_view> keys;
   text.list("{", "}", [&] {
     const std::string_view key = text.string();
     text.expect(":");
+    if (std::ranges::find(keys, key) != keys.end()) refuse("{} is given twice in the header", quoted(key));
+    keys.push_back(key);
     if (key == "descr")
       out.descr = text.string();
     else if (key == "fortran_order")

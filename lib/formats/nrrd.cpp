@@ -5,7 +5,8 @@
 ///     dimension: 2               or more, if no more than two axes are longer than 1
 ///     sizes: 5 3                 points along x, the fastest axis, and y, in ascending order
 ///     spacings: 1e-06 2e-06      or axis mins and maxs (with centers), or the lengths of space directions:
-///                            an axis against its direction is reversed, a mirrored map is refused
+///                            an axis against its direction is reversed, a mirrored map is refused; several
+///                            must agree to a thousandth
 ///     units: "m" "m"             of each axis (space units with space directions); else the size is unknown
 ///     sample units: "m"          of the values, with quotes (Gwyddion) or without (teem)
 ///     content: heights           the title
@@ -59,10 +60,12 @@ constexpr Type types[] = {
 
 // A field with two spellings, with a blank and without.
 std::string_view field(const Head& head, std::string_view name) {
-  if (head.has(name)) return head.text(name);
   std::string joined(name);
   std::erase(joined, ' ');
-  return head.text(joined);
+  const std::string_view out = head.text(name), other = head.text(joined);
+  if (!out.empty() && !other.empty() && out != other)
+    refuse("{} is given twice in the header: remove one", name);
+  return out.empty() ? other : out;
 }
 
 // The first of these characters from a position, or the end.
@@ -157,23 +160,30 @@ void orient(Field& values, const Head& head, const Axes& axes) {
   if (y[1] < 0) values = values.rowwise().reverse().eval();
 }
 
-// In the unit of the axis.
-double step_of(const Head& head, std::size_t axis, Index points) {
-  if (!field(head, "spacings").empty()) return number_in(head, "spacings", axis);
+bool agree(double a, double b) { return std::abs(a - b) <= 1e-3 * std::abs(b); }
+
+// Of axis mins and maxs in the unit of the axis. Without centers they are those of pixels, unless those of
+// points give the spacing that is known.
+double step_of(const Head& head, std::size_t axis, Index points, double known) {
   if (field(head, "axis mins").empty() || field(head, "axis maxs").empty()) return Map::unknown;
-  const char* centers = head.has("centers") ? "centers" : "centerings";
-  const Index steps = word(head, centers, axis) == "node" ? points - 1 : points;
-  return (number_in(head, "axis maxs", axis) - number_in(head, "axis mins", axis)) /
-         static_cast<double>(steps);
+  const double range = number_in(head, "axis maxs", axis) - number_in(head, "axis mins", axis);
+  const double pixels = range / static_cast<double>(points), nodes = range / static_cast<double>(points - 1);
+  const std::string_view centers = word(head, head.has("centers") ? "centers" : "centerings", axis);
+  return centers == "node" || (centers.empty() && agree(nodes, known)) ? nodes : pixels;
 }
 
 double spacing_of(const Head& head, std::size_t axis, Index points) {
   const std::string_view unit = word(head, "units", axis);
-  double out = Map::unknown;
-  if (!field(head, "space directions").empty())
-    out = length_of(components_of(word(head, "space directions", axis)), head);
-  else if (!unit.empty())
-    out = step_of(head, axis, points) * metres_per(unit);
+  double out = length_of(components_of(word(head, "space directions", axis)), head);
+  const auto settle = [&](const char* name, double spacing) {
+    if (std::isnan(out)) out = spacing;
+    if (!std::isnan(spacing) && !agree(spacing, out))
+      refuse("the header gives the spacing {} m, and {} m by its {}: remove one", out, spacing, name);
+  };
+  if (const double metres = unit.empty() ? 0 : metres_per(unit); metres > 0) {
+    if (!field(head, "spacings").empty()) settle("spacings", number_in(head, "spacings", axis) * metres);
+    settle("axis mins and maxs", step_of(head, axis, points, out / metres) * metres);
+  }
   if (!std::isnan(out) && !(out > 0 && std::isfinite(out)))
     refuse("the spacing in the header is not positive");
   return out;

@@ -24,6 +24,7 @@
 #include "formats/text_numbers.hpp"
 #include "formats/text_points.hpp"
 #include "formats/text_table.hpp"
+#include "formats/text_units.hpp"
 
 namespace asperity {
 namespace {
@@ -54,9 +55,15 @@ Order order_in(std::string_view words) {
 
 void take(std::string_view line, Stated& out) {
   const auto value = [&](std::string_view key) { return trimmed(line.substr(key.size())); };
-  if (line.starts_with(states_units)) out.units = value(states_units);
-  if (line.starts_with(states_spacing)) out.spacing = spacing_in(value(states_spacing));
-  if (line.starts_with(states_order)) out.order = order_in(value(states_order));
+  const auto set = [&](auto& stated, const auto& given, bool known) {
+    if (known && stated != given) refuse("the line {} contradicts a former one: remove one", quoted(line));
+    stated = given;
+  };
+  if (line.starts_with(states_units)) set(out.units, value(states_units), !out.units.empty());
+  if (line.starts_with(states_spacing))
+    set(out.spacing, spacing_in(value(states_spacing)), !std::isnan(out.spacing[0]));
+  if (line.starts_with(states_order))
+    set(out.order, std::optional(order_in(value(states_order))), out.order.has_value());
 }
 
 // Below the numbers only a unit may be stated: what begins like another map is refused.
@@ -103,18 +110,21 @@ Map map_of_points(const Table& table, const Columns& columns, const Reading& rea
   return map_of_points(table, columns);
 }
 
-// Of the values, by the label of their column or a line alone.
-std::string unit_of(const Table& table, const Columns& columns, const Stated& stated,
-                    const Reading& reading) {
-  const std::string label = columns.units.back(),
-                    line = stated.units.empty() ? unit_in_head(table) : std::string(stated.units);
-  if (!label.empty() && !line.empty() && !same_length(label, line))
+// Of the values, by the label of their column, a line below the numbers or the head.
+std::string unit_of(const Table& table, const Columns& columns, const Stated& stated, const Reading& reading,
+                    bool quotes) {
+  const std::string& label = columns.units.back();
+  const bool labelled = !label.empty() || columns.points();
+  const std::string out = unit_of_values(labelled ? without_labels(table, quotes) : table.head,
+                                         label.empty() ? std::string(stated.units) : label, reading);
+  if (!label.empty() && !stated.units.empty() && !same_length(label, std::string(stated.units)))
     refuse("the values have the unit {} in one line and {} in another: remove one", quoted(label),
-           quoted(line));
-  const bool placed = columns.points() && !columns.units[0].empty();
-  if (label.empty() && line.empty() && placed && !reading.unit_told)
+           quoted(stated.units));
+  const auto placed = columns.units.end() - 1;  // of x and y
+  if (out.empty() && columns.points() && !reading.unit_told &&
+      std::none_of(columns.units.begin(), placed, [](const std::string& unit) { return unit.empty(); }))
     refuse("the text gives no unit of z: give it to asperity-convert (`unit`)");
-  return label.empty() ? line : label;
+  return out;
 }
 
 std::string spacing_words(const Map& map, bool told) {
@@ -149,7 +159,7 @@ Map map_of_text(std::string_view text, const Reading& reading) {
   Table table = table_with_head(text, reading);
   const Stated stated = stated_in(text, table);
   const Columns columns = columns_of(table, reading, quotes, stated.order.has_value());
-  const std::string unit = unit_of(table, columns, stated, reading);
+  const std::string unit = unit_of(table, columns, stated, reading, quotes);
   Table shown = {.dialect = table.dialect, .values = {}};
   shown.columns = table.columns;
   shown.head_lines = table.head_lines;

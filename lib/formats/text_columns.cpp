@@ -9,6 +9,7 @@
 #include "formats/refuse.hpp"
 #include "formats/text_coordinates.hpp"
 #include "formats/text_numbers.hpp"
+#include "formats/text_units.hpp"
 
 namespace asperity {
 namespace {
@@ -21,11 +22,28 @@ std::string list_of(const Labels& labels) {
   return one_line(fmt::format("{}", fmt::join(names, ", ")), 100);
 }
 
-[[noreturn]] void refuse_columns(std::string_view what) {
+// Where the names put x, y and z, or in the order of the columns.
+std::vector<Index> guessed(const Labels& labels, Index columns) {
+  std::vector<Index> out;
+  const auto taken = [&](Index column) { return std::ranges::find(out, column) != out.end(); };
+  for (const CoordinateRole role : {CoordinateRole::x, CoordinateRole::y, CoordinateRole::z}) {
+    if (std::ssize(out) == columns || (columns == 2 && role == CoordinateRole::y)) continue;
+    const auto named = std::ranges::find_if(labels, [&](const Label& l) { return role_of(l.name) == role; });
+    Index column = named == labels.end() ? 0 : named - labels.begin();
+    while (taken(column)) column = (column + 1) % columns;
+    out.push_back(column);
+  }
+  return out;
+}
+
+[[noreturn]] void refuse_columns(std::string_view what, const Labels& labels, Index columns) {
+  Columns shown{.of = guessed(labels, columns), .units = {}};
+  for (const Index column : shown.of)
+    shown.units.push_back(labels.empty() ? "" : labels[static_cast<std::size_t>(column)].unit);
   refuse(
-      "{}: tell asperity-convert which columns are x, y and z, and their units (`xyz` 1/um,2/um,3/nm), "
-      "or that all are heights (`xyz` none)",
-      what);
+      "{}: tell asperity-convert which columns are x, y and z, and their units (`xyz` {}), or that all are "
+      "heights (`xyz` none)",
+      what, example_of(shown));
 }
 
 // ---- as told ----
@@ -44,7 +62,7 @@ Index column_named(const Labels& labels, const std::string& name, Index columns)
   }
   if (!out && is_length(name))
     refuse("`xyz` gives a unit without a column: write it for each, as in 1/um,2/um,3/nm");
-  if (!out && labels.empty())
+  if (!out && std::ranges::all_of(labels, [](const Label& l) { return l.name.empty(); }))
     refuse("`xyz` asks for {}: the text names no columns, give numbers from 1", quoted(name));
   if (!out) refuse("`xyz` asks for {}: the text has {}", quoted(name), list_of(labels));
   return *out;
@@ -115,13 +133,13 @@ bool all_lengths(const Labels& labels) {
 }
 
 // Nothing if the labels name no coordinate.
-std::optional<Columns> labelled_columns(const Labels& labels) {
+std::optional<Columns> labelled_columns(const Labels& labels, Index columns) {
   const auto x = with_role(labels, CoordinateRole::x), y = with_role(labels, CoordinateRole::y),
              z = with_role(labels, CoordinateRole::z);
   if (x.empty() && (y.empty() || z.empty())) return std::nullopt;
   const auto named = std::ranges::count_if(labels, [](const Label& l) { return !l.name.empty(); });
   if (named == 2 && x.size() == 1 && y.size() == 1) return with_units({x[0], y[0]}, labels);
-  const auto unclear = [&] { refuse_columns("the columns are " + list_of(labels)); };
+  const auto unclear = [&] { refuse_columns("the columns are " + list_of(labels), labels, columns); };
   if (x.size() != 1 || y.size() > 1 || z.size() != 1) unclear();
   const Columns out = with_units(y.empty() ? std::vector{x[0], z[0]} : std::vector{x[0], y[0], z[0]}, labels);
   const auto name = [&](Index column) { return labels[static_cast<std::size_t>(column)].name; };
@@ -131,14 +149,14 @@ std::optional<Columns> labelled_columns(const Labels& labels) {
 }
 
 // Of values in all columns: theirs, if all are alike.
-std::string common_unit(const Labels& labels) {
-  if (labels.empty()) return "";
-  for (const Label& label : labels)
-    if (!same_length(label.unit, labels[0].unit)) {
-      if (label.unit.empty() || labels[0].unit.empty()) continue;
-      refuse_columns("the columns have the units " + quoted(labels[0].unit) + " and " + quoted(label.unit));
-    }
-  return std::ranges::all_of(labels, [](const Label& l) { return !l.unit.empty(); }) ? labels[0].unit : "";
+std::string common_unit(const Labels& labels, bool told) {
+  if (labels.empty() || (labels.size() == 1 && names_coordinates(labels[0].name))) return "";
+  const std::string& unit = labels[0].unit;
+  const auto other = std::ranges::find_if(labels, [&](const Label& l) { return !same_length(l.unit, unit); });
+  if (other == labels.end()) return unit;
+  if (told) return "";
+  refuse("the columns have the units {} and {}: choose some (`xyz`), or give that of all (`unit`)",
+         quoted(unit), quoted(other->unit));
 }
 
 // ---- words above the numbers that may be numbers ----
@@ -150,10 +168,6 @@ bool is_word(std::string_view cell) {
   for (std::size_t i = 0; i + 1 < cell.size(); ++i)
     if (letter(cell[i]) && letter(cell[i + 1])) return true;
   return false;
-}
-
-bool begins_like_number(std::string_view cell) {
-  return cell.find_first_of("0123456789.+-") == 0 && cell.find_first_of("0123456789") != cell.npos;
 }
 
 // A line of as many cells as there are columns, or one that begins with a number and has another, might have
@@ -200,22 +214,32 @@ void check_head(const Table& table, const Columns& columns, const Reading& readi
 Columns decided(const Table& table, const Labels& labels, const Reading& reading, bool bare) {
   if (!reading.columns.empty() && reading.columns != "none")
     return told_columns(table, labels, reading.columns);
-  if (reading.columns == "none" || bare) return {{}, {common_unit(labels)}};
-  if (const auto columns = labelled_columns(labels)) return *columns;
+  const auto heights = [&] { return Columns{{}, {common_unit(labels, reading.unit_told)}}; };
+  if (reading.columns == "none" || bare) return heights();
+  if (const auto columns = labelled_columns(labels, table.columns)) return *columns;
   const Coordinates found = coordinates_in({table.values.data(), table.lines, table.columns});
-  const bool coordinates = found == Coordinates::columns;
   const bool few = labels.size() == 2 || labels.size() == 3;
-  if (coordinates && few && all_lengths(labels))
+  if (found == Coordinates::columns && few && all_lengths(labels))
     return with_units(labels.size() == 2 ? std::vector<Index>{0, 1} : std::vector<Index>{0, 1, 2}, labels);
-  if (coordinates) refuse_columns("the first columns look like coordinates");
+  if (found == Coordinates::columns)
+    refuse_columns("the first columns look like coordinates", labels, table.columns);
   if (found == Coordinates::line)
     refuse(
         "the first line looks like coordinates: remove it and give asperity-convert the `size`, or tell it "
         "that all are heights (`xyz` none)");
-  return {{}, {common_unit(labels)}};
+  return heights();
 }
 
 }  // namespace
+
+std::string example_of(const Columns& columns) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < columns.of.size(); ++i) {
+    const char* const unit = !columns.units[i].empty() ? "" : i + 1 < columns.of.size() ? "/um" : "/nm";
+    out.push_back(fmt::format("{}{}", columns.of[i] + 1, unit));
+  }
+  return fmt::format("{}", fmt::join(out, ","));
+}
 
 Columns columns_of(const Table& table, const Reading& reading, bool quotes, bool bare) {
   const Columns out = decided(table, labels_of(table, quotes), reading, bare);

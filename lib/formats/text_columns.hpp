@@ -22,6 +22,8 @@ struct Columns {
   bool points() const { return of.size() > 1; }
 };
 
+/// As an option gives them, with units where they have none: "2/um,1/um,3/nm".
+std::string example_of(const Columns& columns);
 /// `bare`: known to be heights. Throws DataError("map", …) naming the options that decide.
 Columns columns_of(const Table& table, const Reading& reading, bool quotes, bool bare);
 

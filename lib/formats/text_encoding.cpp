@@ -11,6 +11,8 @@ namespace {
 
 constexpr char32_t replacement = 0xfffd;
 
+bool is_control(unsigned char c) { return c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f'; }
+
 // The next unit of 16 bits, removed; a single last byte is the replacement.
 char32_t take_unit(std::string_view& bytes, bool big) {
   if (bytes.size() < 2) {
@@ -53,6 +55,17 @@ void append(std::string& out, char32_t c) {
 
 }  // namespace
 
+bool has_control(std::string_view bytes) { return std::ranges::any_of(bytes, is_control); }
+
+bool has_wide_control(std::string_view bytes) {
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    const auto [low, high] =
+        std::minmax({static_cast<unsigned char>(bytes[i]), static_cast<unsigned char>(bytes[i + 1])});
+    if (high < 0x20 && (low > 0 || is_control(high))) return true;
+  }
+  return false;
+}
+
 bool is_utf16(std::string_view bytes) {
   return bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
 }
@@ -66,7 +79,7 @@ bool lacks_mark(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto c = static_cast<unsigned char>(bytes[i]);
     zeros[i % 2] += c == 0;
-    control[i % 2] += c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+    control[i % 2] += is_control(c);
   }
   const auto nearly_all = share * static_cast<double>(bytes.size() / 2);
   for (const std::size_t high : {std::size_t{0}, std::size_t{1}})

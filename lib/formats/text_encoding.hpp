@@ -6,6 +6,10 @@
 
 namespace asperity {
 
+/// Whether bytes have a control character other than white space: as bytes, or as units of 16 bits in either
+/// byte order.
+bool has_control(std::string_view bytes);
+bool has_wide_control(std::string_view bytes);
 /// Whether bytes begin with the mark of UTF-16, in either byte order.
 bool is_utf16(std::string_view bytes);
 /// Whether bytes without the mark look like UTF-16: of the first, one in two is zero, nearly always, and the

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <stdexcept>
 
 #include "core/error.hpp"
 #include "dataset/units.hpp"
-#include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 
 namespace asperity {
@@ -89,12 +89,6 @@ std::vector<std::string> cells_for(const Table& table, std::string_view line, bo
   return out.empty() ? cells_between(table, line, Separator::blank, quotes) : out;
 }
 
-// Whether a line is one label, with a unit and a name of a height.
-bool is_height(const Label& label) {
-  return role_of(label.name) == CoordinateRole::z &&
-         label.name.find_first_of("[](),;/\t") == label.name.npos && is_length(label.unit);
-}
-
 // A unit alone, perhaps in brackets.
 std::string unit_alone(const std::string& cell) {
   const Label label = in_brackets(cell);
@@ -118,19 +112,6 @@ bool some_role(const std::vector<std::string>& cells) {
 
 bool has_roles(const std::vector<Label>& labels) {
   return std::ranges::any_of(labels, [](const Label& l) { return role_of(l.name) != CoordinateRole::other; });
-}
-
-// "Units: um": the value of a line with such a key.
-std::string unit_behind_key(std::string_view line) {
-  constexpr std::string_view keys[] = {"units",     "unit",    "value units", "value unit",
-                                       "z unit",    "z units", "z-unit",      "height unit",
-                                       "z-einheit", "einheit", "einheiten"};
-  const std::size_t end = line.find_first_of(":=;,\t");
-  if (end == line.npos) return "";
-  const std::string key = lower(trimmed(line.substr(0, end)));
-  if (std::ranges::find(keys, key) == std::end(keys)) return "";
-  const std::string_view value = line.substr(end + 1);
-  return text(value.substr(0, value.find_first_of(";,\t")));
 }
 
 }  // namespace
@@ -206,7 +187,8 @@ std::vector<Label> labels_of(const Table& table, bool quotes) {
     else if (has_roles(labels) || !has_roles(out))
       out = std::move(labels);
   }
-  for (std::size_t i = 0; i < units.size() && i < out.size(); ++i)
+  if (out.empty()) return units;
+  for (std::size_t i = 0; i < units.size(); ++i)
     if (out[i].unit.empty()) out[i].unit = units[i].unit;
   return out;
 }
@@ -218,21 +200,13 @@ bool names_points(const Table& table, bool quotes) {
          std::ranges::all_of(labels, [](const Label& l) { return role_of(l.name) != CoordinateRole::other; });
 }
 
-std::string unit_in_head(const Table& table) {
-  std::string out;
-  for (const HeadLine& line : table.head) {
-    const std::string_view words = without_mark(line.text);
-    std::string unit = unit_behind_key(words);
-    if (unit.empty()) {
-      const Label label = label_of(words.substr(0, words.find_last_not_of(";,\t ") + 1));
-      if (is_height(label)) unit = label.unit;
-    }
-    if (unit.empty()) continue;
-    if (!out.empty() && !same_length(out, unit))
-      refuse("its head gives the values the unit {} and the unit {}: remove one of the lines", quoted(out),
-             quoted(unit));
-    out = unit;
-  }
+std::vector<HeadLine> without_labels(const Table& table, bool quotes) {
+  std::vector<HeadLine> out;
+  std::ranges::copy_if(table.head, std::back_inserter(out), [&](const HeadLine& line) {
+    const std::vector<std::string> cells = cells_for(table, line.text, quotes);
+    const auto has_unit = [](const std::string& cell) { return !label_of(cell).unit.empty(); };
+    return !are_units(cells) && std::ranges::none_of(cells, has_unit);
+  });
   return out;
 }
 

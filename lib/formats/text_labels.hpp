@@ -23,13 +23,12 @@ CoordinateRole role_of(const std::string& name);
 /// Whether a name begins with the letter of its role.
 bool is_letter(const std::string& name);
 
-/// The labels of columns in the head of a table, one for each; none if no line gives them.
+/// The labels of columns in the head of a table, one for each; none if no line gives names or units.
 std::vector<Label> labels_of(const Table& table, bool quotes);
 /// Whether each of two or three columns has the label of a coordinate or a height.
 bool names_points(const Table& table, bool quotes);
-/// The unit of the values that a line of the head states alone: "Units: um", "Height (um)". Throws
-/// DataError("map", …) if two lines differ.
-std::string unit_in_head(const Table& table);
+/// The head of a table without the lines that give its columns units.
+std::vector<HeadLine> without_labels(const Table& table, bool quotes);
 
 /// Whether two units are the same length.
 bool same_length(const std::string& a, const std::string& b);

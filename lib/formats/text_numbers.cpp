@@ -82,6 +82,10 @@ std::optional<double> plain_number_of(std::string_view word) {
 
 }  // namespace
 
+bool begins_like_number(std::string_view word) {
+  return word.find_first_of("0123456789.+-") == 0 && word.find_first_of("0123456789") != word.npos;
+}
+
 bool is_grouped(std::string_view whole, char mark) {
   if (whole.starts_with('0') || whole.size() > 19) return false;
   const std::size_t first = whole.find(mark);

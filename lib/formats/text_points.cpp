@@ -29,7 +29,7 @@ double metres_of(const Columns& columns, std::size_t axis) {
   const std::string& unit = columns.units[axis];
   if (unit.empty())
     refuse("the text gives no unit of {}: give it to asperity-convert, such as `xyz` {}",
-           axis == 0 ? "x" : "y", columns.of.size() == 2 ? "1/um,2/nm" : "1/um,2/um,3/nm");
+           axis == 0 ? "x" : "y", example_of(columns));
   return metres_per(unit);
 }
 

@@ -27,13 +27,19 @@ TEST_CASE("an ESRI grid begins with the largest y, in words of any case and numb
   CHECK(other.spacing == std::array{2e-6, 3.0});
 }
 
-// -3.4028235e+38 is how nine digits have the float of -3.4028234663852886e+38.
+// -3.4028235e+38 is how nine digits have the float of -3.4028234663852886e+38, -3.40282e+38 how six have it.
 TEST_CASE("a point of an ESRI grid is missing when it is NODATA to single precision", "[formats][exact]") {
-  const Map map = format::esri.decode(
-      head + "NODATA_value -3.4028234663852886e+38\n-3.4028235e+38 2 3\n4 5 6\n", Order::xy);
-  CHECK(std::isnan(map.values(0, 1)));
-  CHECK(map.values.isNaN().count() == 1);
-  CHECK(format::esri.decode(head + "1 -9999 3\n4 5 6\n", Order::xy).values(1, 1) == -9999);
+  for (const char* mark : {"NODATA_value -3.4028234663852886e+38\n-3.4028235e+38",
+                           "nodata_value -3.40282e+38\n-3.4028234663852886e+38",
+                           "NODATA_value 1.70141e38\n1.701410009187828e+38", "\n-9999",
+                           "NODATA_VALUE -9999.0\n-9999", "NODATA_value -32768\n-32768.0"}) {
+    CAPTURE(mark);
+    const Map map = format::esri.decode(head + mark + " 2 3\n4 5 6\n", Order::xy);
+    CHECK(std::isnan(map.values(0, 1)));
+    CHECK(map.values.isNaN().count() == 1);
+  }
+  CHECK(format::esri.decode(head + "NODATA_value -32768\n1 -9999 3\n4 5 6\n", Order::xy).values(1, 1) ==
+        -9999);
   CHECK(format::esri.decode(head + "NODATA_value -9999\n1 -9998 3\n4 5 6\n", Order::xy).values(1, 1) ==
         -9998);
 }
@@ -65,6 +71,8 @@ TEST_CASE("an ESRI grid that lies about itself is refused with what is wrong", "
   refused(head + "1 2 3 4 5 6 7\n", "has 7 numbers");
   refused(head + "1 2 3 4 5 six\n", "line 6: 'six' is not a number");
   refused("ncols 3\nnrows 2\n1 2 3 4 5 6\n", "cellsize is missing in the header");
+  refused(head + "cellsize 1\n1 2 3 4 5 6\n", "cellsize is '0.5' and '1' in the header: remove one");
+  refused(head + "dx 0.5\ndy 1\n1 2 3 4 5 6\n", "cellsize and dx, dy in the header differ");
   refused("ncols 3\nnrows 2\ndx 1\n1 2 3 4 5 6\n", "dy is missing in the header");
   refused("ncols 3\nnrows 2\ncellsize 0\n1 2 3 4 5 6\n", "not positive");
   refused("ncols 3000000000\nnrows 3000000000\ncellsize 1\n1 2 3\n", "cut short");

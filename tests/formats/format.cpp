@@ -20,6 +20,38 @@ TEST_CASE("a format is known by its first bytes, then by its name, then as text"
   CHECK_THROWS_AS(format_named("word", "from"), ParameterError);
 }
 
+// Of the heads of many instruments' files (.spm, .nid, .stp, .bcrf), 4096 bytes and more are text: they were
+// read, and refused, as texts.
+TEST_CASE("numbers behind a long head of words are no text, padding behind a text and UTF-16 are",
+          "[formats][contract]") {
+  std::string head, wide = "\xff\xfe";
+  for (int i = 0; i < 900; ++i) head += "\\Info: words\r\n";
+  for (const char c : head) wide += {c, '\0'};
+  std::string numbers;
+  for (int i = 0; i < 8192; ++i) numbers += {static_cast<char>(i * 37), static_cast<char>(i / 211)};
+  for (const char* name : {"a.spm", "a.txt", "-"}) {
+    CAPTURE(name);
+    CHECK(known_format(head + numbers, name) == nullptr);
+    CHECK(known_format(head + numbers + head, name) == nullptr);
+    CHECK(known_format(wide + numbers, name) == nullptr);
+    for (const std::string& text : {head + "1 2\r\n", head + "1 2\r\n\x1a" + std::string(5000, '\0'), wide})
+      CHECK(known_format(text, name) == &format::text);
+  }
+}
+
+// Marks of missing points became heights.
+TEST_CASE("a height that is none is refused with its value, in every unit of length", "[formats][contract]") {
+  Map map{.values = Field::Constant(2, 2, 1.70141e38), .spacing = {1, 1}};
+  CHECK_THROWS_WITH(dataset_of(map), ContainsSubstring("1.70141e+38 is too much for a height") &&
+                                         ContainsSubstring("(`missing`)"));
+  map.values(0, 0) = 0;
+  set_units(map, "nm");
+  CHECK_THROWS_WITH(dataset_of(map), ContainsSubstring("e+38 nm is too much"));
+  map.values = Field::Constant(2, 2, 9e19);
+  CHECK_NOTHROW(dataset_of(map));
+  CHECK_NOTHROW(dataset_of({.values = Field::Constant(2, 2, 1e38), .spacing = {1, 1}, .units = "V"}));
+}
+
 TEST_CASE(
     "a format that is written for an extension is one that is read again, the same to the last bit it holds",
     "[formats][exact]") {

@@ -59,6 +59,7 @@ TEST_CASE("a GSF that lies about itself is refused with what is wrong", "[format
   refused("Gwyddion Simple Field 1.0\nXRes=1\n", "no end");
   refused(file("XRes=2\n"), "YRes is missing in the header");
   refused(file("XRes=2\nYRes=1.5\n"), "YRes '1.5' in the header is not a whole number");
+  refused(file("XRes=2\nYRes=1\nxres=1\n"), "XRes is '2' and '1' in the header: remove one");
   refused(file("XRes=-2\nYRes=-1\n"), "is not a whole number from 0");
   refused(file("XRes=0\nYRes=1\n"), "the map has no points");
   refused(file("XRes=2\nYRes=2\n"), "cut short");

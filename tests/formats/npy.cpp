@@ -105,6 +105,7 @@ TEST_CASE("a .npy that lies about itself is refused with what is wrong", "[forma
   refused(npy("{'descr': '|u1'}", "ab"), "shape is missing in the header");
   refused(npy("{'descr': [('x', '|u1')]}", "ab"), "cannot be read at '[(");
   refused(npy("{'descr': '|u1", "ab"), "cannot be read");
+  refused(npy("{'descr': '|u1', 'descr': '|i1'}", "ab"), "'descr' is given twice");
   refused(npy("{'size': 3}", "ab"), "key 'size' in the header");
   refused(npy("{'fortran_order': 1}", "ab"), "cannot be read at '1}'");
 }

@@ -100,6 +100,26 @@ TEST_CASE("an NRRD's spacing is had from spacings, from mins and maxs, or from s
     CHECK(std::isnan(spacing(fields)[0]));
 }
 
+// The first of them was taken.
+TEST_CASE("spacings of an NRRD that disagree are refused, those that agree are not", "[formats][contract]") {
+  const std::string units = "units: \"um\" \"um\"\n", once = "spacings: 1 2\n" + units;
+  const std::string space = "space units: \"um\" \"um\"\nspace directions: (1,0) (0,2)\n";
+  for (const std::string more : {"spacings: 1 2\n", "axis mins: 0 0\naxis maxs: 2 6\n",
+                                 "axis mins: 1 1\naxismaxs: 2 5\n", space.c_str(), "spacings:=7 7\n"}) {
+    CAPTURE(more);
+    CHECK(relative_error(spacing(once + more)[1], 2e-6) <= 4 * epsilon);
+  }
+  for (const std::string more : {"spacings: 1 1\n", "axis mins: 0 0\naxis maxs: 2 4.5\n",
+                                 "axis mins: 0 0\naxis maxs: 2 4\ncenters: cell cell\n",
+                                 "space units: \"um\" \"um\"\nspace directions: (1,0) (0,3)\n",
+                                 "units: \"um\" \"nm\"\n", "sizes: 3 2\n"}) {
+    CAPTURE(more);
+    CHECK_THROWS_WITH(spacing(once + more), ContainsSubstring("remove one"));
+  }
+  CHECK_THROWS_WITH(spacing(units + "axis mins: 0 0\naxismins: 1 1\naxis maxs: 2 6\n"),
+                    ContainsSubstring("given twice"));
+}
+
 TEST_CASE("an NRRD's values have its sample units, and its content is their title", "[formats][exact]") {
   const Map map =
       format::nrrd.decode(nrrd(bytes + "sample units: nm\ncontent: a: b\nkey:=value\n", "\1\2"), Order::xy);

@@ -153,5 +153,6 @@ TEST_CASE("an SDF that lies about itself is refused with what is wrong", "[forma
   refused(text("NumPoints = 2\n", "1 2\n"), "NumProfiles is missing in the header");
   refused(text(head, "1 2 3\n*\n4"), "has 3 numbers, its header gives 2 x 2");
   refused(text(head, "1 2 3 x\n*\n"), "line 12: 'x' is not a number");
-  refused(text("NumPoints = 3000000000\n" + head, "1 2 3 4\n"), "cut short");
+  refused(text("NumPoints = 3000000000\n" + head.substr(head.find("NumProfiles")), "1 2 3 4\n"), "cut short");
+  refused(text("NumPoints = 3\n" + head, "1 2 3 4\n"), "NumPoints is '3' and '2' in the header: remove one");
 }

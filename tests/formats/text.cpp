@@ -184,6 +184,22 @@ TEST_CASE("what is written as Gwyddion's text is read again the same, missing po
   CHECK(relative_error(again.spacing[1], map.spacing[1]) <= 2 * epsilon);
 }
 
+// A third size, or a second unit, was passed over; a unit above the sizes was taken for the title.
+TEST_CASE("Gwyddion's text with another size or unit is refused, one with an unknown unit too",
+          "[formats][contract]") {
+  const std::string sizes = "# Width: 2 um\n# Height: 1 um\n";
+  const auto refused = [](const std::string& head, const char* words) {
+    CHECK(format::gwyddion_text.recognises(head));
+    CHECK_THROWS_WITH(format::gwyddion_text.decode(head + "1 2\n", {}), ContainsSubstring(words));
+  };
+  refused(sizes + "# Width: 3 um\n", "3 sizes, not a width and a height");
+  refused(sizes + "# Value units: nm\n# Value units: um\n", "the unit 'nm' and the unit 'um'");
+  refused("# Width: 2 px\n# Height: 1 px\n", "'px'");
+  const Map map =
+      format::gwyddion_text.decode("# Map\n# Value units: nm\n" + sizes + "# Date: 12 May 2024\n1 2\n", {});
+  CHECK(relative_error(map.values(1, 0), 2e-9) <= 2 * epsilon);
+}
+
 // A head that states the size, numbers that do not fill a rectangle, or some of them missing.
 TEST_CASE("formats of text with a head have missing points and refuse what is ragged as a bare matrix does",
           "[formats][contract]") {
@@ -197,4 +213,82 @@ TEST_CASE("formats of text with a head have missing points and refuse what is ra
   CHECK(same(grid.decode(esri + "\t1\t2\t\t3\n4\t5\t6", {}).values, field({{4, 1}, {5, 2}, {6, 3}})));
   CHECK_THROWS_WITH(grid.decode(esri + "1 2 3\n4 5 6\n7", {}), ContainsSubstring("the file has 7 numbers"));
   CHECK_THROWS_WITH(grid.decode(esri + "1,234 2 3\n4 5 6", {}), ContainsSubstring("the `decimal` mark"));
+}
+
+// Of these, all but the exact "Units: nm" and "Height (nm)" were read as metres.
+TEST_CASE("a unit that the head gives the values is used, in whatever words, and that of x and y is not",
+          "[formats][text][exact]") {
+  const std::string rows = "\n1 7 2 5 3\n2 3 4 9 1\n";
+  for (const char* head : {"z unit: nm",
+                           "\\Exported image units: nm",
+                           "Height units = nm",
+                           "Z [nm]",
+                           "(nm)",
+                           "nm",
+                           "nm;nm;nm;nm;nm",
+                           "# z-unit = nm",
+                           "Value units: nm",
+                           "Einheit: nm",
+                           "Höheneinheit: nm",
+                           "Alle Werte in nm",
+                           "All values are in nanometers",
+                           "data in Nanometer",
+                           "# x in mm, y in mm, z in nm",
+                           "xy unit: um; z unit: nm",
+                           "XUnits = um\nZUnits = nm",
+                           "Pixel size: 0.5 um\nUnits: nm",
+                           "z/nm",
+                           "Messwerte/nm",
+                           "Units: x um, y um, z nm",
+                           "H\xf6he nm",
+                           "Rauheit [nm]",
+                           "UNITS NM",
+                           "# Values in units of nm",
+                           "# units: 1e-9 m",
+                           "Z scale = 1\nheights in nm",
+                           "Wavelength (um): 0.6328\nUnits: nm",
+                           "Cutoff [mm] 0.8\nZ [nm]"}) {
+    CAPTURE(head);
+    CHECK(relative_error(format::text.decode(head + rows, {}).values(0, 1), 7e-9) <= 2 * epsilon);
+  }
+  CHECK(format::text.decode("Einheit Mikrometer" + rows, {}).values(0, 0) == 1e-6);
+  CHECK(format::text.decode("Value units: V" + rows, {}).units == "V");
+  for (const char* head :
+       {"pixel size: 0.5 um", "Pixel size (um)", "Lateral units: um", "xy unit: um", "Scan size: 10 um",
+        "Stylus radius: 12.5 um", "Radius;12.5;um", "Scan line : 150. [um]", "Wavelength (nm): 632.8",
+        "Cutoff [mm]\t0.8", "Height range: 12 nm", "Date: 12 May 2024 10:30 pm", "Mode: point\nDirection: in",
+        "Force unit: nN", "Zoom factor: 2.5"}) {
+    CAPTURE(head);
+    CHECK(
+        format::text.decode(head + ("\n1 7 2 5 3 8 6" + std::string("\n2 3 4 9 1 5 7\n")), {}).units.empty());
+  }
+  CHECK(format::text.decode("Pixel size (um)\n1\n7\n2\n", {}).units.empty());
+  CHECK(format::esri.decode("ncols 2\nnrows 1\nzunits nm\ncellsize 1e-6\n1 2\n", {}).values(0, 0) == 1e-9);
+  CHECK(format::gwyddion_text.decode("# Value units: nm\n# Width: 2 um\n# Height: 1 um\n1 2\n", {})
+            .values(0, 0) == 1e-9);
+}
+
+TEST_CASE("a unit in the head that may be another's, or a factor of the heights, is refused until it is told",
+          "[formats][text][contract]") {
+  Reading told;
+  told.unit_told = true;
+  for (const auto& [head, words] :
+       {std::pair{"Length unit: um", "line 1: 'um' may be the unit of the values"},
+        {"Surface map (um)", "'um' may be"},
+        {"Measured [V]", "'V' may be"},
+        {"h=2 w=6\npixel size=3.7e-007 m\ndata unit=rad\nheight conversion factor (-> m)=6.3e-008",
+         "line 4: a factor"},
+        {"Z scale: 100 nm", "a factor"},
+        {"Z-Faktor: 1,5", "a factor"},
+        {"# Bit2nm = 0.05", "a factor"},
+        {"heights in 1e-9 m", "a factor"},
+        {"Units: mm, mm, nm", "'mm' and the unit 'nm'"}}) {
+    CAPTURE(head);
+    const std::string text = std::string(head) + "\n1 7 2 5 3 6 8 1\n2 3 4 9 1 2 6 5\n";
+    CHECK_THAT(refusal(text), ContainsSubstring(words) && ContainsSubstring("(`unit`"));
+    CHECK(format::text.decode(text, told).units.empty());
+  }
+  CHECK_THAT(refusal("a [nm];b\n1;2\n5;2\n"), ContainsSubstring("the units 'nm' and ''"));
+  CHECK_THAT(refusal("# units: nm\n1 2\n# units: um\n"), ContainsSubstring("contradicts a former one"));
+  CHECK_THAT(refusal("# spacing: 1 1\n# spacing: 1 2\n1 2\n"), ContainsSubstring("contradicts a former one"));
 }

@@ -86,7 +86,13 @@ TEST_CASE("points that are no grid are refused", "[formats][text][contract]") {
   CHECK_THAT(refusal("0 1\n1 2\n1 3\n", profile), ContainsSubstring("x = 1 is given twice"));
   CHECK_THAT(refusal("0 1\n1 2\nnan 3\n", profile), ContainsSubstring("a coordinate x is missing"));
   CHECK_THAT(refusal("1 2\n", profile), ContainsSubstring("at least 2 points"));
-  CHECK_THAT(refusal("x;z\n0;1\n1;2\n", {}), ContainsSubstring("no unit of x"));
+  CHECK_THAT(refusal("x;z\n0;1\n1;2\n", {}),
+             ContainsSubstring("no unit of x") && ContainsSubstring("1/um,2/nm"));
+  // The example named columns 1, 2 and 3, so that it transposed this map.
+  CHECK_THAT(refusal("y,x,z\n0,5,3\n1,5,4\n0,6,5\n", {}), ContainsSubstring("`xyz` 2/um,1/um,3/nm"));
+  CHECK_THAT(refusal("y,x [mm],z\n0,5,3\n1,5,4\n0,6,5\n", {}), ContainsSubstring("`xyz` 2,1/um,3/nm"));
+  CHECK_THAT(refusal("Raw,y,x,Height\n9,0,5,3\n9,1,5,4\n9,0,6,5\n", {}),
+             ContainsSubstring("`xyz` 3/um,2/um,4/nm"));
   CHECK_THAT(refusal("x [mm];z\n0;1\n1;2\n", {}), ContainsSubstring("no unit of z"));
   CHECK_THAT(refusal("t [s];z [um]\n0;1\n1;2\n2;4\n", {}), ContainsSubstring("look like coordinates"));
 }

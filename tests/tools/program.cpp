@@ -122,6 +122,25 @@ TEST_CASE("a file that no reader knows is read through Gwyddion, and history and
              ContainsSubstring("scan.dat is read as gwyddion: its first bytes are of none of netcdf, "));
 }
 
+// Gwyddion 2.62 takes 1 µm for 1 nm in a file whose heights are in nm.
+TEST_CASE(
+    "a size that Gwyddion takes otherwise than the head of a WSxM file says is refused until it is told",
+    "[program][contract]") {
+  const Map map{.values = random_field({6, 4}, 3), .spacing = {1e-6 / 6, 1e-6 / 4}, .units = "m"};
+  std::ofstream(scratch("made.gwy"), std::ios::binary) << format::gwy.encode(map, Order::xy);
+  write_gwyddion("cat " + scratch("made.gwy") + " > ${1#--convert-to-gwy=}\n");
+  for (const auto& [size, exit] : {std::pair{"1 \xb5m", 0}, {"1 \u00b5m", 0}, {"1000 nm", 0}, {"1 mm", 4}}) {
+    std::ofstream(scratch("a.stp")) << "WSxM file copyright UAM\r\n[Control]\r\n    X Amplitude: " << size
+                                    << "\r\n    Y Amplitude: 1 um\r\n[Header end]\r\n"
+                                    << std::string(8, '\1');
+    const Outcome run = shell(first + "asperity-convert a.stp -o a.nc");
+    CAPTURE(size, run.error);
+    CHECK(run.exit == exit);
+    if (exit == 4) CHECK_THAT(run.error, ContainsSubstring("takes X Amplitude '1 mm' for 1e-06 m"));
+  }
+  CHECK(shell(first + "asperity-convert a.stp --size 1mm,1um -o a.nc").exit == 0);
+}
+
 TEST_CASE("what Gwyddion cannot read, or where there is none, is refused in one line",
           "[program][contract]") {
   write_unknown("scan.dat");

@@ -1,5 +1,6 @@
 #include "tools/cli/gwyddion.hpp"
 
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -7,6 +8,9 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "formats/format.hpp"
+#include "formats/head.hpp"
+#include "formats/refuse.hpp"
+#include "formats/text_numbers.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/cli/record.hpp"
 
@@ -57,6 +61,23 @@ std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimit
   return "unknown format, and Gwyddion cannot read the file either" + (words.empty() ? "" : ": " + words);
 }
 
+// Gwyddion 2.62 takes sizes of WSxM in the prefix of the heights: beside heights in nm, 1 µm becomes 1 nm.
+void check_wsxm(const Map& map, std::string_view bytes) {
+  if (!bytes.starts_with("WSxM file copyright")) return;
+  const Head head(bytes.substr(0, bytes.find("[Header end]")), ":");
+  for (const std::string_view key : {"X Amplitude", "Y Amplitude"}) {
+    const auto stated = leading_number<double>(head.text(key));
+    if (!stated.found) continue;
+    const bool x = key[0] == 'X';
+    const double size = stated.number * metres_per(trimmed(stated.rest)),
+                 taken =
+                     map.spacing[x ? 0 : 1] * static_cast<double>(x ? map.values.rows() : map.values.cols());
+    if (!(std::abs(taken - size) <= 1e-3 * size))
+      refuse("Gwyddion takes {} {} for {} m: give asperity-convert its `size`", key, quoted(head.text(key)),
+             taken);
+  }
+}
+
 }  // namespace
 
 Map map_through_gwyddion(std::string_view bytes, const std::string& name, const Reading& reading) {
@@ -75,6 +96,7 @@ Map map_through_gwyddion(std::string_view bytes, const std::string& name, const 
   Reading told = reading;
   told.memory = reading.memory.beside(run.output.size());
   Map map = format::gwy.decode(run.output, told);
+  if (!told.size_told) check_wsxm(map, bytes);
   static const std::string version = version_of(program);
   map.history =
       fmt::format("{}: gwyddion {} --convert-to-gwy=OUT.gwy {}", timestamp(), version, shell_word(name));

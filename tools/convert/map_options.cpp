@@ -69,7 +69,8 @@ void MapOptions::declare(Tool& tool) {
   tool.quantities("--size", size_, "m",
                   "Side lengths Lx,Ly; needed if the file does not give them, and replaces wrong ones",
                   "Input");
-  tool.text("--unit", unit_, "UNIT", "Unit of the values, if the file gives none: um, nm, V. Default: m",
+  tool.text("--unit", unit_, "UNIT",
+            "Unit of the values, if the file gives none, or an unclear one: um, V, '2.5e-9 m'. Default: m",
             "Input");
 }
 
@@ -125,6 +126,7 @@ Map MapOptions::applied(Map map) const {
       throw UsageError("size", format_quantity(size_[axis], "m") + " is not a positive length");
     map.spacing[axis] = size_[axis] / static_cast<double>(axis == 0 ? map.values.rows() : map.values.cols());
   }
+  require_heights(map);
   return map;
 }
 
