@@ -24,11 +24,14 @@ void StressOptions::declare(Tool& tool) {
             "runs through the nearest row of cells",
             where);
   declare_maximum(tool);
-  tool.text("--points", points, "FILE",
-            "Print a table of the stress at points instead; x, y and depth with their units on each line "
-            "(1um 0 5um), or "
-            "under a header with units, '# x [um] y [um] depth [um]'; - is standard input",
-            where);
+  tool.text(
+      "--points", points, "FILE",
+      "Print a table of the stress at points instead; x, y and depth with their units on each line "
+      "(1um 0 5um), or "
+      "under a header with units, '# x [um] y [um] depth [um]'; - is standard input. On a side or corner of "
+      "cells a stress that steps there is the mean of those that meet, where the load does not repeat along "
+      "both axes",
+      where);
   tool.choice(
       "--result", result, {"dataset", "maxima"},
       "Write the dataset, or print maxima. maxima: the largest stress in each layer of --depths, that of "
