@@ -10,6 +10,7 @@
 #include "marginal/prescribed.hpp"
 #include "stats/hypothesis/specification.hpp"
 #include "tools/cli/ensemble_input.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/cli/turns.hpp"
@@ -183,7 +184,9 @@ int main(int argc, char** argv) {
       cli::in_turn([&, data = std::move(member.data), name = std::move(member.name)] {
         if (!test) test = test_for(tool, options, data, progress);
         tool.detail(name);
-        test->add(field_of(data, options.variable, "m", Missing::not_a_number), grid_of(data));
+        const Field heights = field_of(data, options.variable, "m", Missing::not_a_number);
+        cli::warn_of_proportions(tool, Proportions(heights, grid_of(data)));
+        test->add(heights, grid_of(data));
       });
     });
     const std::vector<TestResult> results = test->results();

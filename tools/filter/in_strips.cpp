@@ -10,6 +10,7 @@
 #include "dataset/units.hpp"
 #include "stats/filter/missing.hpp"
 #include "tools/cli/dataset_stream.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/large_file.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/measure/preparation_words.hpp"
@@ -69,7 +70,12 @@ void filter_in_strips(Tool& tool, const Chain& chain, const std::string& path, c
   const std::vector<std::string> lines = chain(tool, parts, si_unit_of(data.at(variable)));
   const double share = filled_share(data, variable);
   Survey survey;
-  for_each_strip(parts, tool.memory(), [&](const Field& strip) { survey.add(strip); });
+  Proportions proportions(parts.grid);
+  for_each_strip(parts, tool.memory(), [&](const Field& strip) {
+    survey.add(strip);
+    proportions.add(strip);
+  });
+  warn_of_proportions(tool, proportions, si_unit_of(data.at(variable)));
   put_map(data, parts, survey, variable);
   set_preparation(data, parts.degree, share);
   before.tell(tool, data, "map");
