@@ -36,7 +36,8 @@ struct CoarserContacts {
   std::array<Grid, 2> grid;
   std::array<Contact, 2> contact;
   bool under_approach = false;  ///< not under a load
-  std::string unknown;          ///< why there are none; empty where there are
+  double limit_pressure = std::numeric_limits<double>::infinity();
+  std::string unknown;  ///< why there are none; empty where there are
   double seconds = 0;
 };
 
@@ -56,7 +57,8 @@ struct GridErrors {
   double load = none;      ///< [N], under a prescribed approach
   double approach = none;  ///< [m], under a load
   double max_pressure = none, area = none, area_corrected = none, plastic_area = none, mean_gap = none,
-         stiffness = none;  ///< units as in Contact
+         stiffness = none;                            ///< units as in Contact
+  double elastic_energy = none, plastic_work = none;  ///< [J] (contact/energy.hpp)
 };
 
 GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserContacts& coarser);
