@@ -56,8 +56,8 @@ struct ContactRatios {
 ContactRatios contact_ratios(const Grid& grid, const Bodies& bodies, const GapRoughness& gap,
                              double limit_pressure, const Contact& contact, double area);
 
-/// What the grid leaves of (1) to (4): the relative errors of what they are computed from, added. NaN where not
-/// known; (5) and (6) have none. `load_error` is 0 of a load that was prescribed.
+/// What the grid leaves of (1) to (4): the relative errors of what they are computed from, added. NaN where
+/// not known; (5) and (6) have none. `load_error` is 0 of a load that was prescribed.
 ContactRatios ratio_errors(const ContactRatios& ratios, const GapRoughness& gap, const Contact& contact,
                            double area, const GridErrors& errors, double load_error);
 

@@ -15,9 +15,9 @@
 /// the same. At the surface the polynomial swings between the centres, by 14 % of a step of the pressure,
 /// half a cell below it by 3 %, a cell below it by 0.6 %.
 ///
-/// On a side of a cell, to 1e-9 of its length, (1) and (2) take the limits of stress/influence.hpp on the edge
-/// of both cells: where the load steps, σzz at the surface is the mean of the two pressures, or of the four
-/// about a corner.
+/// On a side of a cell, to 1e-9 of its length, (1) and (2) take the limits of stress/influence.hpp on the
+/// edge of both cells: where the load steps, σzz at the surface is the mean of the two pressures, or of the
+/// four about a corner.
 ///
 /// Accuracy  (1) 4e-13 of the stress, however far; (2) 1e-11 of max p; (3) ε n max p on n × n cells, as
 ///           the layers.

@@ -16,13 +16,13 @@
 ///           √(1+g²)).
 /// Cost      one pass each, four roots per cell for (2).
 ///
-/// The rms slope of the surface between the points, as its own band limit has it (transform/refinement.hpp), is
-/// that of its waves. Along an axis that repeats, and continues at its seam (seam.hpp), it is, by Parseval,
+/// The rms slope of the surface between the points, as its own band limit has it (transform/refinement.hpp),
+/// is that of its waves. Along an axis that repeats, and continues at its seam (seam.hpp), by Parseval,
 ///     s² = mean over lines of Σ_k q_k² |z^_k|²,   q_k = 2πk/L,                                        (3)
-/// half of the wave of two points, which is there as its cosine. Along another axis it is s² of (1), low by the
-/// waves that h cuts short; with s²(2h) of sides of two steps, 0.62 (s² - s²(2h)) is more than that for waves of
-/// three points and more. The half steps before the first point and behind the last are left out: an n-th of
-/// what the sides beside them differ from the mean.
+/// half of the wave of two points, which is there as its cosine. Along another axis it is s² of (1), low by
+/// the waves that h cuts short; with s²(2h) of sides of two steps, 0.62 (s² - s²(2h)) is more than that for
+/// waves of three points and more. The half steps before the first point and behind the last are left out:
+/// an n-th of what the sides beside them differ from the mean.
 #pragma once
 
 #include <cmath>

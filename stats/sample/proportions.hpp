@@ -1,9 +1,9 @@
 /// Heights at first sight: how high and how steep they are for their size, and how much of them is a tilt.
 ///
 /// Of the measured points, with z above their mean and r what their mean plane leaves of it,
-///     Sq² = mean z²,   s² = mean (Δz/Δx)² + mean (Δz/Δy)² between neighbours,   R² = 1 - mean r²/Sq².   (1)
-/// Surfaces are low beside their width: where Sq is above a tenth of the longer side, or s above 1, heights or
-/// lengths seldom have the unit that they are taken to have.
+///     Sq² = mean z²,   s² = mean (Δz/Δx)² + mean (Δz/Δy)² between neighbours,   R² = 1 - mean r²/Sq².
+/// Surfaces are low beside their width: where Sq is above a tenth of the longer side, or s above 1, heights
+/// or lengths seldom have the unit that they are taken to have.
 ///
 /// Accuracy  R²: ε z_0²/Sq², z_0 being the first height above the mean.
 /// Cost      one pass, some 3 ns a point.

@@ -15,8 +15,7 @@ void StressOptions::declare(Tool& tool) {
   surfaces.declare(tool);
   tool.text("--depths", depths, "DEPTHS",
             "Depths of the layers; 0:1mm:32 (equal steps), 0.5px:1mm:32:geometric (equal ratios) or "
-            "0,10um,50um. px is "
-            "the shorter side of a cell",
+            "0,10um,50um. px is the shorter side of a cell",
             where);
   tool.text("--section", section, "AXIS=PLACE",
             "Compute one vertical section only; y=0, x=0.2mm, or y=max: through the largest stress, that of "
@@ -24,14 +23,13 @@ void StressOptions::declare(Tool& tool) {
             "runs through the nearest row of cells",
             where);
   declare_maximum(tool);
-  tool.text(
-      "--points", points, "FILE",
-      "Print a table of the stress at points instead; x, y and depth with their units on each line "
-      "(1um 0 5um), or "
-      "under a header with units, '# x [um] y [um] depth [um]'; - is standard input. On a side or corner of "
-      "cells a stress that steps there is the mean of those that meet, where the load does not repeat along "
-      "both axes",
-      where);
+  tool.text("--points", points, "FILE",
+            "Print a table of the stress at points instead; x, y and depth with their units on each line "
+            "(1um 0 5um), or under a header with units, '# x [um] y [um] depth [um]'; - is standard input. "
+            "On a side "
+            "or corner of cells a stress that steps is the mean of theirs, if the load repeats along one "
+            "axis at most",
+            where);
   tool.choice(
       "--result", result, {"dataset", "maxima"},
       "Write the dataset, or print maxima. maxima: the largest stress in each layer of --depths, that of "
