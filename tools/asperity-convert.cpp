@@ -10,6 +10,7 @@
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
 #include "formats/vti.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
@@ -61,11 +62,20 @@ Dataset opened(const cli::Tool& tool, const Options& options, cli::Bytes bytes) 
   return options.map.completed(std::move(data), options.variable, tool.format().order_of_matrix());
 }
 
+// As the options say, and as it will be read.
+Map applied(const cli::Tool& tool, const Options& options, Map map) {
+  Map out = options.map.applied(std::move(map));
+  const auto [dx, dy] = out.spacing;
+  if (dx > 0 && dy > 0)
+    cli::warn_of_proportions(tool, Proportions(out.values, {shape_of(out.values), dx, dy}), out.units);
+  return out;
+}
+
 Map map_from(const cli::Tool& tool, const cli::InputFormat& format, const Options& options,
              cli::Bytes bytes) {
-  return options.map.applied(format.netcdf(bytes)
-                                 ? map_of(opened(tool, options, std::move(bytes)), options.variable)
-                                 : format.map(bytes, tool.input_name(), tool.memory_bound()));
+  return applied(tool, options,
+                 format.netcdf(bytes) ? map_of(opened(tool, options, std::move(bytes)), options.variable)
+                                      : format.map(bytes, tool.input_name(), tool.memory_bound()));
 }
 
 // Everything except fields below the surface.
@@ -94,7 +104,7 @@ Dataset dataset_from(const cli::Tool& tool, const cli::InputFormat& format, cons
   bytes.reset();
   const bool another = names_another(tool, data, options.variable);
   if (options.map.changes() || another)
-    cli::replace_surface(tool, data, options.map.applied(map_of(data, options.variable)), another);
+    cli::replace_surface(tool, data, applied(tool, options, map_of(data, options.variable)), another);
   return options.surface ? without_depth(std::move(data)) : data;
 }
 

@@ -5,6 +5,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "tools/cli/ensemble_input.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/turns.hpp"
@@ -87,6 +88,7 @@ class Filter {
   void write(Dataset& data, const std::string& name) {
     Surface surface = surface_of(data, variable_);
     auto [lines, converged] = chain_(tool_, surface);
+    cli::warn_of_proportions(tool_, Proportions(surface.heights, surface.grid), surface.units);
     const int degree = surface.degree;
     const double filled = surface.filled;
     if (!is_map_of(data, surface)) replace(tool_, data, std::move(surface));

@@ -47,10 +47,14 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
         cli::in_turn(
             [&progress, &o, k, share] { progress.count(k + share, o.count, o.count > 1 ? "surfaces" : ""); });
       };
-      const cli::Drawing drawing{
-          synthesis,          noise,           rms,
-          o.exact_rq,         o.adds("noise"), tool.memory() / static_cast<std::size_t>(at_once),
-          std::move(advanced)};
+      const cli::Drawing drawing{synthesis,
+                                 noise,
+                                 rms,
+                                 o.exact_rq,
+                                 o.adds("noise"),
+                                 k == 0,
+                                 tool.memory() / static_cast<std::size_t>(at_once),
+                                 std::move(advanced)};
       const bool last = at_once == 1 && k + 1 == o.count;
       drawing.write(tool, last ? std::exchange(kernel.data, {}) : kernel.data, o.output_name(tool, k));
     });

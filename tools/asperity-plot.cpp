@@ -6,6 +6,9 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/units.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/place.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
@@ -203,6 +206,19 @@ plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
   return out;
 }
 
+// Of the first case with something to say; all have been drawn.
+void warn_of_heights(const cli::Tool& tool, const plot::Request& request, const plot::Cases& cases) {
+  constexpr std::string_view drawn_by = " map surface profile psd pdf qq abbott ";
+  if (request.variable_or("heights") != "heights" ||
+      drawn_by.find(' ' + request.kind + ' ') == std::string_view::npos)
+    return;
+  for (const plot::Case& c : cases) {
+    const Proportions of(field_of(c.data, "heights", Missing::not_a_number), grid_of(c.data));
+    cli::warn_of_proportions(tool, of, si_unit_of(c.data.at("heights")));
+    if (of.implausible()) return;
+  }
+}
+
 int draw(cli::Tool& tool, const Options& options) {
   tool.writes("output", options.output);
   const plot::Request request = request_of(tool, options);
@@ -213,6 +229,7 @@ int draw(cli::Tool& tool, const Options& options) {
   if (!picture.remarks.empty()) tool.detail("gnuplot: " + picture.remarks);
   cli::write_all(options.output, picture.bytes);
   for (const std::string& note : figure.notes) tool.note(note);
+  warn_of_heights(tool, request, cases);
   return cli::done;
 }
 

@@ -11,6 +11,7 @@
 #include "tools/cli/counted_cells.hpp"
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/large_file.hpp"
 #include "tools/cli/turns.hpp"
 #include "tools/measure/stats_options.hpp"
@@ -59,6 +60,7 @@ class Surfaces {
     Dataset head = file.dataset();
     grids_.add(tool_, file.grid(), path, si_unit_of(head.at(field_.variable)));
     tool_.settle(head, path);
+    warn_of_proportions(file, si_unit_of(head.at(field_.variable)));
     add(strips_of(file), true);
   }
   void print() const {
@@ -69,6 +71,15 @@ class Surfaces {
   }
 
  private:
+  // One more pass over the file.
+  void warn_of_proportions(const FieldFile& file, const std::string& unit) const {
+    Proportions of(file.grid());
+    const Index nx = file.grid().shape.nx, rows = std::max<Index>(1, (Index{1} << 16) / file.grid().shape.ny);
+    for (Index first = 0; first < nx; first += rows) of.add(file.rows(first, std::min(rows, nx - first)));
+    const bool raw = asked_.preparation.form.is_mean();
+    raw ? cli::warn_of_heights(tool_, of, unit, "--remove-form plane")
+        : cli::warn_of_proportions(tool_, of, unit);
+  }
   Sample strips_of(const FieldFile& file) const {
     const StripReader reader({file.grid(), [&](Index first, Index count) { return file.rows(first, count); },
                               [&](Index first, Index count) { return file.columns(first, count); }},

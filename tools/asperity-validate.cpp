@@ -10,6 +10,7 @@
 #include "marginal/prescribed.hpp"
 #include "stats/hypothesis/specification.hpp"
 #include "tools/cli/ensemble_input.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/cli/turns.hpp"
@@ -107,6 +108,13 @@ SpecificationTest test_for(const cli::Tool& tool, const Options& o, const Datase
   return test;
 }
 
+void add(const cli::Tool& tool, const Dataset& data, const std::string& variable, SpecificationTest& test) {
+  const Field heights = field_of(data, variable, "m", Missing::not_a_number);
+  const Grid grid = grid_of(data);
+  cli::warn_of_proportions(tool, Proportions(heights, grid));
+  test.add(heights, grid);
+}
+
 cli::Table table_of_results(const std::vector<TestResult>& results, double significance) {
   auto verdict = [](double p, double level) { return p <= level ? "differs" : "agrees"; };
   cli::Table out{{{"quantity", ""},
@@ -183,7 +191,7 @@ int main(int argc, char** argv) {
       cli::in_turn([&, data = std::move(member.data), name = std::move(member.name)] {
         if (!test) test = test_for(tool, options, data, progress);
         tool.detail(name);
-        test->add(field_of(data, options.variable, "m", Missing::not_a_number), grid_of(data));
+        add(tool, data, options.variable, *test);
       });
     });
     const std::vector<TestResult> results = test->results();

@@ -23,11 +23,14 @@
 
 #include <fmt/format.h>
 
+#include "contact/energy.hpp"
 #include "contact/grid_error.hpp"
 #include "contact/influence.hpp"
 #include "contact/outline.hpp"
+#include "contact/ratios.hpp"
 #include "contact_grid_scenes.hpp"
 #include "stats/hybrid/slope_growth.hpp"
+#include "stats/hybrid/slopes.hpp"
 #include "stress/layers.hpp"
 #include "stress/maximum.hpp"
 #include "stress/maximum_error.hpp"
@@ -103,7 +106,7 @@ double median(std::vector<double> values) {
 class Page {
  public:
   void add(const Scene& scene, const std::string& figure, double value, double truth, double stated) {
-    if (std::isnan(stated)) return;
+    if (!(stated > 0)) return;  // none, or exact
     rows_.push_back({kinds[scene.kind], scene.shape.nx, figure, value, std::abs(value - truth), stated});
     for (const char* kind : groups(scene))
       tallies_[{kind, figure}].all.push_back({std::abs(truth), std::abs(value - truth), stated});
@@ -153,6 +156,34 @@ class Page {
   std::vector<Row> rows_;
 };
 
+// As if both bodies were flat, so that rough spheres tell of free domains.
+void judge_ratios(Page& page, const Scene& scene, const Solved& here, const Solved& truth,
+                  const GridErrors& errors) {
+  struct Measured {
+    GapRoughness gap;
+    ContactRatios ratios;
+  };
+  auto measured = [&](const Solved& s, Index times) {
+    const Field z = scene.heights(times);
+    const RmsSlope slope = rms_slope(z, s.grid);
+    Measured out{{.rms_height = std::sqrt((z - z.mean()).square().mean()),
+                  .rms_slope = slope.value,
+                  .rms_slope_error = slope.error},
+                 {}};
+    const Bodies flats{.young = scene.bodies.young, .poisson = scene.bodies.poisson};
+    out.ratios = contact_ratios(s.grid, flats, out.gap, scene.limit, s.contact, s.corrected());
+    return out;
+  };
+  const auto [gap, found] = measured(here, 1);
+  const auto [fine_gap, exact] = measured(truth, finer);
+  const ContactRatios e = ratio_errors(found, gap, here.contact, here.corrected(), errors,
+                                       here.parameters.approach ? errors.load : 0);
+  page.add(scene, "rms_slope", gap.rms_slope, fine_gap.rms_slope, gap.rms_slope_error);
+  page.add(scene, "reduced_pressure", found.reduced_pressure, exact.reduced_pressure, e.reduced_pressure);
+  page.add(scene, "kappa", found.kappa, exact.kappa, e.kappa);
+  page.add(scene, "reduced_gap", found.reduced_gap, exact.reduced_gap, e.reduced_gap);
+}
+
 void judge(Page& page, const Scene& scene, const Solved& here) {
   if (scene.rms > 0 && slope_growth(here.gap, here.grid).resolved() == Resolved::no)
     return page.leave_out(scene);
@@ -172,6 +203,12 @@ void judge(Page& page, const Scene& scene, const Solved& here) {
   page.add(scene, "approach", c.approach, t.approach, e.approach);
   page.add(scene, "mean_gap", c.mean_gap, t.mean_gap, e.mean_gap);
   page.add(scene, "stiffness", c.stiffness, t.stiffness, e.stiffness);
+  page.add(scene, "elastic_energy", elastic_energy(here.grid, c), elastic_energy(truth.grid, t),
+           e.elastic_energy);
+  if (c.plastic_area > 0)
+    page.add(scene, "plastic_work", plastic_work(here.grid, c, scene.limit),
+             plastic_work(truth.grid, t, scene.limit), e.plastic_work);
+  if (scene.rms > 0) judge_ratios(page, scene, here, truth, e);
   const StressMaximum largest = largest_stress(here.grid, c), exact = largest_stress(truth.grid, t);
   const StressMaximum of_stress = maximum_error(loaded(here.grid, c),
                                                 {largest, largest_stress(coarser.grid[0], coarser.contact[0]),

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "contact/energy.hpp"
 #include "contact/outline.hpp"
 #include "core/calibration.hpp"
 #include "core/error.hpp"
@@ -16,6 +17,8 @@ namespace asperity {
 namespace {
 
 namespace share = calibration::grid_error;
+
+constexpr double energy_share = 0.5;  // of m, under a load: validation/contact_grid_error
 
 // By how much the mean of the paraboloid over 2 × 2 cells exceeds its value in their middle.
 double datum_of_mean(const Grid& fine, const Bodies& bodies) {
@@ -58,6 +61,20 @@ double load_error(const CoarserContacts& coarser, double m, double gaps) {
   return std::max(share::load * m, std::isfinite(stiffness) ? share::approach * gaps * stiffness : 0);
 }
 
+// What the one energy lacks, the other may have. Where a greater load did a part of the work of flattening
+// before, none is known.
+void set_energies(GridErrors& out, const Grid& grid, const Contact& contact, const CoarserContacts& coarser) {
+  auto m = [&](auto energy) {
+    return grid_change(energy(grid, contact), energy(coarser.grid[0], coarser.contact[0]),
+                       energy(coarser.grid[1], coarser.contact[1]));
+  };
+  out.elastic_energy = (coarser.under_approach ? share::load : energy_share) * m(&elastic_energy);
+  if (contact.flattening.size() > 0) return;
+  const double moved =
+      m([&](const Grid& g, const Contact& c) { return plastic_work(g, c, coarser.limit_pressure); });
+  out.plastic_work = std::isinf(coarser.limit_pressure) ? 0 : std::max(moved, out.elastic_energy);
+}
+
 }  // namespace
 
 bool has_coarser_contacts(Shape shape) {
@@ -69,6 +86,7 @@ CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, 
                                  const Bodies& bodies) {
   CoarserContacts out;
   out.under_approach = parameters.approach.has_value();
+  out.limit_pressure = parameters.limit_pressure;
   if (!has_coarser_contacts(grid.shape)) {
     out.unknown = fmt::format("{} cells: both sides must be multiples of 4, of {} cells at least",
                               text(grid.shape), 4 * share::least_side);
@@ -128,6 +146,7 @@ GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserCo
     out.load = load_error(coarser, m(&Contact::load), gaps);
     out.mean_gap = share::approach * gaps;
   }
+  set_energies(out, grid, contact, coarser);
   return out;
 }
 

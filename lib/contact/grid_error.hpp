@@ -10,9 +10,10 @@
 /// contact have none, and the first difference is near zero by accident. For the largest pressure the rise of
 /// the parabolas through it and its neighbours counts too; the areas have errors of their own outline, and
 /// the stiffness, with the root of the area, no less than a share of that scatter (contact/outline.hpp). The
-/// load under an approach has the m of the mean gap, too, times the stiffness. Approaches count from the
-/// paraboloid (3) of contact/bodies.hpp at the cells' centres, whose mean over 2 × 2 cells lies
-/// (Δx²/Rx + Δy²/Ry)/8 further apart; this is taken off.
+/// load under an approach has the m of the mean gap, too, times the stiffness; the work of flattening has
+/// the error of the elastic energy at the least. Approaches count from the paraboloid (3) of
+/// contact/bodies.hpp at the cells' centres, whose mean over 2 × 2 cells lies (Δx²/Rx + Δy²/Ry)/8 further
+/// apart; this is taken off.
 ///
 /// Symbols   v any figure   n cells along a side   Δx, Δy cell [m]   Rx, Ry radii of the gap [m]
 /// Scope     a surface that the grid resolves (stats/hybrid/slope_growth.hpp); another has no contact to
@@ -36,7 +37,8 @@ struct CoarserContacts {
   std::array<Grid, 2> grid;
   std::array<Contact, 2> contact;
   bool under_approach = false;  ///< not under a load
-  std::string unknown;          ///< why there are none; empty where there are
+  double limit_pressure = std::numeric_limits<double>::infinity();
+  std::string unknown;  ///< why there are none; empty where there are
   double seconds = 0;
 };
 
@@ -56,7 +58,8 @@ struct GridErrors {
   double load = none;      ///< [N], under a prescribed approach
   double approach = none;  ///< [m], under a load
   double max_pressure = none, area = none, area_corrected = none, plastic_area = none, mean_gap = none,
-         stiffness = none;  ///< units as in Contact
+         stiffness = none;                            ///< units as in Contact
+  double elastic_energy = none, plastic_work = none;  ///< [J] (contact/energy.hpp)
 };
 
 GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserContacts& coarser);

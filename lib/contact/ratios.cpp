@@ -34,4 +34,16 @@ ContactRatios contact_ratios(const Grid& grid, const Bodies& bodies, const GapRo
   return out;
 }
 
+ContactRatios ratio_errors(const ContactRatios& ratios, const GapRoughness& gap, const Contact& contact,
+                           double area, const GridErrors& errors, double load_error) {
+  const double of_area = errors.area_corrected / area,
+               of_pressure = load_error / contact.load + gap.rms_slope_error / gap.rms_slope;
+  ContactRatios out;
+  out.area_share = ratios.area_share * of_area;
+  out.reduced_pressure = ratios.reduced_pressure * of_pressure;
+  out.kappa = ratios.kappa * (of_area + of_pressure);
+  out.reduced_gap = errors.mean_gap / gap.rms_height;
+  return out;
+}
+
 }  // namespace asperity

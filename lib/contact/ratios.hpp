@@ -26,6 +26,7 @@
 #include <limits>
 
 #include "contact/bodies.hpp"
+#include "contact/grid_error.hpp"
 #include "contact/solver.hpp"
 
 namespace asperity {
@@ -35,6 +36,7 @@ struct GapRoughness {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   double rms_height = unknown;        ///< σ [m]
   double rms_slope = unknown;         ///< S
+  double rms_slope_error = unknown;   ///< by the spacing of the heights
   double nayak_alpha = unknown;       ///< m0 m4/m2² of the isotropic surface
   double summit_deviation = unknown;  ///< σ_s [m]
   double summit_curvature = unknown;  ///< κ_s [1/m]
@@ -53,5 +55,10 @@ struct ContactRatios {
 /// `area` is the contact's A [m²], as counted or corrected.
 ContactRatios contact_ratios(const Grid& grid, const Bodies& bodies, const GapRoughness& gap,
                              double limit_pressure, const Contact& contact, double area);
+
+/// What the grid leaves of (1) to (4): the relative errors of what they are computed from, added. NaN where
+/// not known; (5) and (6) have none. `load_error` is 0 of a load that was prescribed.
+ContactRatios ratio_errors(const ContactRatios& ratios, const GapRoughness& gap, const Contact& contact,
+                           double area, const GridErrors& errors, double load_error);
 
 }  // namespace asperity

@@ -56,6 +56,32 @@ void add(const Pair& p, const stress::Wave& wave, const LoadWeights& weights, Te
 
 }  // namespace
 
+// A point along an axis of cells. Within round-off of a side it is half a side away from the middles of both
+// cells, so that neither, or both, would take it for a point of their own.
+struct StressPoints::Axis {
+  double at, spacing;
+  Index cells;
+  double sides = at / spacing + 0.5 * static_cast<double>(cells);  // from the first one
+  bool on_side = std::abs(sides - std::round(sides)) <= on_a_side && std::round(sides) >= 0 &&
+                 std::round(sides) <= static_cast<double>(cells);
+
+  bool within() const { return sides > -0.5 && sides < static_cast<double>(cells) + 0.5; }
+  // The one that holds the point, or the one beyond its side.
+  Index cell() const { return static_cast<Index>(on_side ? std::round(sides) : std::floor(sides)); }
+  double size() const { return static_cast<double>(cells) * spacing; }
+  // From the middle of a cell.
+  double from(Index i) const {
+    return on_side ? (static_cast<double>(cell() - i) - 0.5) * spacing
+                   : at - ((static_cast<double>(i) + 0.5) * spacing - 0.5 * size());
+  }
+  // From that of its image m periods on, the nearest one being m = 0.
+  double from_image(Index i, int m) const {
+    if (!on_side) return std::remainder(from(i), size()) + m * size();
+    const auto halves = static_cast<double>(2 * (cell() - i) - 1), period = static_cast<double>(2 * cells);
+    return 0.5 * (std::remainder(halves, period) + m * period) * spacing;
+  }
+};
+
 StressPoints::StressPoints(LoadedBody body, int threads)
     : body_(std::move(body)), weights_(body_.friction.weights()) {
   body_.check();
@@ -78,6 +104,13 @@ Tensor StressPoints::of_cell(double x, double y, double z, double a, double b) c
   return sum;
 }
 
+std::array<StressPoints::Axis, 2> StressPoints::axes(double x, double y) const {
+  const Grid& grid = body_.grid;
+  if (grid.periodic.x) x = std::remainder(x, grid.size_x());
+  if (grid.periodic.y) y = std::remainder(y, grid.size_y());
+  return {Axis{x, grid.dx, grid.shape.nx}, Axis{y, grid.dy, grid.shape.ny}};
+}
+
 double StressPoints::pressure_at(Index i, Index j) const {
   const auto [nx, ny] = body_.grid.shape;
   if (body_.grid.periodic.x) i = (i + nx) % nx;
@@ -94,17 +127,11 @@ double StressPoints::mean_at(Index k) const {
 
 bool StressPoints::singular(double x, double y, double z) const {
   const Grid& grid = body_.grid;
-  if (grid.periodic.x) x = std::remainder(x, grid.size_x());
-  if (grid.periodic.y) y = std::remainder(y, grid.size_y());
-  const double u = (x + 0.5 * grid.size_x()) / grid.dx, v = (y + 0.5 * grid.size_y()) / grid.dy;  // sides
-  const auto [nx, ny] = grid.shape;
-  const bool inside =
-      u > -0.5 && v > -0.5 && u < static_cast<double>(nx) + 0.5 && v < static_cast<double>(ny) + 0.5;
-  if (grid.periodic.both() || z > on_a_side * std::min(grid.dx, grid.dy) || !inside) return false;
-  const bool on_x = std::abs(u - std::round(u)) <= on_a_side, on_y = std::abs(v - std::round(v)) <= on_a_side;
-  // The cell beyond the side, or the one that holds the point.
-  const auto i = static_cast<Index>(on_x ? std::round(u) : std::floor(u)),
-             j = static_cast<Index>(on_y ? std::round(v) : std::floor(v));
+  const auto [along_x, along_y] = axes(x, y);
+  const bool surface = z <= on_a_side * std::min(grid.dx, grid.dy);
+  if (grid.periodic.both() || !surface || !along_x.within() || !along_y.within()) return false;
+  const bool on_x = along_x.on_side, on_y = along_y.on_side;
+  const Index i = along_x.cell(), j = along_y.cell();
   const double step = step_that_shows * body_.pressure.maxCoeff(), here = pressure_at(i, j),
                left = pressure_at(i - 1, j), under = pressure_at(i, j - 1),
                across = pressure_at(i - 1, j - 1);
@@ -121,23 +148,23 @@ bool StressPoints::singular(double x, double y, double z) const {
 
 Tensor StressPoints::below_cells(double x, double y, double z) const {
   const Grid& grid = body_.grid;
+  const auto [along_x, along_y] = axes(x, y);
   Tensor sum{};
   for (Index i = 0; i < grid.shape.nx; ++i)
     for (Index j = 0; j < grid.shape.ny; ++j)
       if (const double p = body_.pressure(i, j); p != 0)
-        add(sum, p, of_cell(x - grid.x(i), y - grid.y(j), z, grid.dx / 2, grid.dy / 2));
+        add(sum, p, of_cell(along_x.from(i), along_y.from(j), z, grid.dx / 2, grid.dy / 2));
   return sum;
 }
 
 // S of stress/images.hpp.
-Tensor StressPoints::of_images(double x, double y, double z) const {
-  const Grid& grid = body_.grid;
-  const bool in_x = grid.periodic.x;
-  const double period = in_x ? grid.size_x() : grid.size_y(), first = std::remainder(in_x ? x : y, period);
+Tensor StressPoints::of_images(const Axis& along, Index cell, double across, double z) const {
+  const double a = body_.grid.dx / 2, b = body_.grid.dy / 2;
   Tensor sum{};
   for (int m = -image_periods; m <= image_periods; ++m) {
-    const double at = first + m * period, weight = image_weight(at / period);
-    if (weight > 0) add(sum, weight, of_cell(in_x ? at : x, in_x ? y : at, z, grid.dx / 2, grid.dy / 2));
+    const double at = along.from_image(cell, m), weight = image_weight(at / along.size());
+    if (weight > 0)
+      add(sum, weight, body_.grid.periodic.x ? of_cell(at, across, z, a, b) : of_cell(across, at, z, a, b));
   }
   return sum;
 }
@@ -146,6 +173,8 @@ Tensor StressPoints::below_images(double x, double y, double z) const {
   const Grid& grid = body_.grid;
   const auto [nx, ny] = grid.shape;
   const bool in_x = grid.periodic.x;
+  const auto [along_x, along_y] = axes(x, y);
+  const Axis &along = in_x ? along_x : along_y, &across = in_x ? along_y : along_x;
   const double endless = 1e20 * (in_x ? grid.size_x() : grid.size_y());
   Tensor sum{};
   for (Index row = 0; row < (in_x ? ny : nx); ++row) {
@@ -154,12 +183,10 @@ Tensor StressPoints::below_images(double x, double y, double z) const {
     const double mean = p.mean();
     if ((p == 0).all()) continue;
     add(sum, mean,
-        in_x ? of_cell(0, y - grid.y(row), z, endless, grid.dy / 2)
-             : of_cell(x - grid.x(row), 0, z, grid.dx / 2, endless));
+        in_x ? of_cell(0, across.from(row), z, endless, grid.dy / 2)
+             : of_cell(across.from(row), 0, z, grid.dx / 2, endless));
     if ((p - mean).abs().maxCoeff() <= uniform * std::abs(mean)) continue;
-    for (Index k = 0; k < p.size(); ++k)
-      add(sum, p(k) - mean,
-          in_x ? of_images(x - grid.x(k), y - grid.y(row), z) : of_images(x - grid.x(row), y - grid.y(k), z));
+    for (Index k = 0; k < p.size(); ++k) add(sum, p(k) - mean, of_images(along, k, across.from(row), z));
   }
   return sum;
 }

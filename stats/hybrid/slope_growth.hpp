@@ -1,4 +1,4 @@
-/// Does the grid resolve a surface? How its slope grows from grid to grid tells, without a solution.
+/// Does the grid resolve a surface? What halving the cells adds to its slope tells, without a solution.
 ///
 /// On means of 2 × 2 and of 4 × 4 points, with s² the mean square slope between neighbours,
 ///     γ = (s²(n) - s²(n/2)) / (s²(n/2) - s²(n/4)).                                               (1)

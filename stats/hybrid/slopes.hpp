@@ -15,6 +15,14 @@
 ///           limit. Sdr of small slopes keeps its digits, because √(1+g²) - 1 is computed as g²/(1 +
 ///           √(1+g²)).
 /// Cost      one pass each, four roots per cell for (2).
+///
+/// The rms slope of the surface between the points, as its own band limit has it (transform/refinement.hpp),
+/// is that of its waves. Along an axis that repeats, and continues at its seam (seam.hpp), by Parseval,
+///     s² = mean over lines of Σ_k q_k² |z^_k|²,   q_k = 2πk/L,                                        (3)
+/// half of the wave of two points, which is there as its cosine. Along another axis it is s² of (1), low by
+/// the waves that h cuts short; with s²(2h) of sides of two steps, 0.62 (s² - s²(2h)) is more than that for
+/// waves of three points and more. The half steps before the first point and behind the last are left out:
+/// an n-th of what the sides beside them differ from the mean.
 #pragma once
 
 #include <cmath>
@@ -27,6 +35,14 @@ struct SlopeParameters {
   double sdq = NAN;  ///< [m/m]
   double sdr = NAN;  ///< share of the plan area
 };
+
+struct RmsSlope {
+  double value = NAN;
+  double error = NAN;  ///< by the spacing, of a surface that the grid resolves (slope_growth.hpp)
+};
+
+/// By (3), or (1) with its error, of heights without missing points. NaN of one point along a free axis.
+RmsSlope rms_slope(const Field& heights, const Grid& grid);
 
 /// The sums of a field that comes in strips.
 class SlopeSums {

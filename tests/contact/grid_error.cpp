@@ -1,6 +1,7 @@
 // The stated errors of the grid against the true ones: Hertz, and the same surface on finer cells.
 #include "contact/grid_error.hpp"
 
+#include "contact/energy.hpp"
 #include "contact/outline.hpp"
 #include "contact/scenes.hpp"
 #include "core/halved.hpp"
@@ -13,7 +14,7 @@ namespace {
 struct Judged {
   Contact contact;
   GridErrors errors;
-  double corrected = 0;
+  double corrected = 0, energy = 0;
 };
 
 Judged judged(const Grid& grid, const Field& gap, ContactParameters parameters, const Bodies& bodies) {
@@ -23,6 +24,7 @@ Judged judged(const Grid& grid, const Field& gap, ContactParameters parameters, 
   const CoarserContacts coarser = coarser_contacts(grid, gap, *influence, out.contact, parameters, bodies);
   REQUIRE(coarser.unknown.empty());
   out.errors = grid_errors(grid, out.contact, coarser);
+  out.energy = elastic_energy(grid, out.contact);
   out.corrected = corrected_area(grid, out.contact, outline(grid, out.contact));
   return out;
 }
@@ -36,8 +38,11 @@ TEST_CASE("Hertz's figures lie within the stated errors, which fall with the gri
   for (Index n : {64, 96, 128, 192}) {
     CAPTURE(n);
     const Grid grid = square(n);
-    const auto [c, e, corrected] =
+    const auto [c, e, corrected, energy] =
         judged(grid, undeformed_gap(grid, spheres), {.load = load, .stiffness = true}, spheres);
+    CHECK(std::abs(energy - 0.4 * load * exact.approach) <= e.elastic_energy);  // Q ~ δ^{3/2}
+    CHECK(e.elastic_energy <= 0.02 * energy);
+    CHECK(e.plastic_work == 0);
     CHECK(std::abs(c.max_pressure - exact.pressure) <= e.max_pressure);
     CHECK(std::abs(c.approach - exact.approach) <= e.approach);
     CHECK(std::abs(c.area - area) <= e.area);
@@ -56,8 +61,9 @@ TEST_CASE("under a prescribed approach the load has the error, and the datum of 
           "[contact][law]") {
   const Hertz exact = hertz(spheres, load);
   const Grid grid = square(96);
-  const auto [c, e, corrected] =
+  const auto [c, e, corrected, energy] =
       judged(grid, undeformed_gap(grid, spheres), {.approach = exact.approach}, spheres);
+  CHECK(std::abs(energy - 0.4 * load * exact.approach) <= e.elastic_energy);
   CHECK(std::abs(c.load - load) <= e.load);
   // Without the datum the coarser spheres lie (2 Δx)²/(8R)·… further off: dQ = S dδ of that would be stated.
   const double stiffness = 1.5 * load / exact.approach, datum = 2 * grid.dx * grid.dx / 25e-3 / 8;
@@ -70,12 +76,12 @@ TEST_CASE("where all grids tell the same load and stiffness, gap and outline sti
           "[contact][exact]") {
   const Grid grid{{4, 4}, 1, 1};
   Contact fine;
-  fine.pressure = Field::Zero(4, 4);
+  fine.pressure = fine.displacement = Field::Zero(4, 4);
   fine.state.assign(16, Contact::open);
   fine.pressure(1, 1) = 1, fine.state[5] = Contact::elastic;
   fine.load = 50, fine.area = 1, fine.stiffness = 3, fine.mean_gap = 2;
   CoarserContacts coarser;
-  coarser.contact = {fine, fine};
+  coarser.contact = {fine, fine}, coarser.grid = {grid, grid};
   coarser.under_approach = true;
   coarser.contact[0].mean_gap = coarser.contact[1].mean_gap = 2.5;
   CHECK(grid_errors(grid, fine, coarser).load == Approx(0.4 * 0.5 * 3));
@@ -98,6 +104,7 @@ TEST_CASE("a wavy periodic surface keeps within its stated errors on a grid four
   CHECK(std::abs(coarse.contact.max_pressure - fine.contact.max_pressure) <= coarse.errors.max_pressure);
   CHECK(std::abs(coarse.contact.approach - fine.contact.approach) <= coarse.errors.approach);
   CHECK(std::abs(coarse.contact.mean_gap - fine.contact.mean_gap) <= coarse.errors.mean_gap);
+  CHECK(std::abs(coarse.energy - fine.energy) <= coarse.errors.elastic_energy);
   CHECK(std::abs(coarse.corrected - fine.corrected) <=
         coarse.errors.area_corrected + fine.errors.area_corrected);
 }

@@ -36,6 +36,22 @@ TEST_CASE("the ratios of flats are those of their areas, pressures, slopes and g
     CHECK(std::isnan(unknown));
 }
 
+TEST_CASE("errors of the ratios are the relative errors of area, load, slope and gap, added",
+          "[ratios][exact]") {
+  GapRoughness gap = rough;
+  gap.rms_slope_error = 0.002;  // 2 %
+  Contact contact;
+  contact.load = 4000;
+  const GridErrors errors{.area_corrected = 0.03e-6, .mean_gap = 0.1e-6};
+  const ContactRatios ratios{.area_share = 0.15, .reduced_pressure = 0.1, .kappa = 1.5};
+  const ContactRatios e = ratio_errors(ratios, gap, contact, 0.3e-6, errors, 200);  // 10 %, 5 %
+  CHECK(e.area_share == Approx(0.015));
+  CHECK(e.reduced_pressure == Approx(0.007));
+  CHECK(e.kappa == Approx(1.5 * 0.17));
+  CHECK(e.reduced_gap == Approx(0.05));
+  CHECK(std::isnan(ratio_errors(ratios, rough, contact, 0.3e-6, errors, 0).kappa));
+}
+
 // a0² = R δ of Hertz.
 TEST_CASE("the roughness of a sphere is its rms height over the smooth approach, and has no nominal pressure",
           "[ratios][exact]") {

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/filter/form.hpp"
+#include "stats/sample/proportions.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -50,6 +51,42 @@ TEST_CASE("Sa of a sine converges to 2A/pi at order 2 with constant pi^2/6 in 1/
     CHECK(observed_order(error(points), error(2 * points)) == Approx(2).margin(0.01));
     CHECK(error(points) * points * points == Approx(std::pow(std::numbers::pi, 2) / 6).epsilon(0.01));
   }
+}
+
+// A plane, and what is orthogonal to it by its own remainder.
+TEST_CASE("the share of the mean plane in the variance is what its removal takes, holes or not",
+          "[moments][exact]") {
+  for (Shape shape : {Shape{24, 17}, Shape{30, 1}, Shape{1, 40}})
+    for (const bool holes : {false, true}) {
+      const Grid g{shape, 0.2, 0.5};
+      Field z =
+          7 + 0.1 * random_field(shape, 9) + sample(g, [](double x, double y) { return 0.3 * x - 0.1 * y; });
+      if (holes) z(0, 0) = z(z.rows() / 2, z.cols() / 2) = std::nan("");
+      const Proportions found(z, g);
+      const double sq = moments(z).sq, left = moments(remove_form(z, 1)).sq;
+      CAPTURE(shape.nx, shape.ny, holes);
+      CHECK(relative_error(found.sq(), sq) <= 1e-12);
+      CHECK(std::abs(found.plane_share() - (1 - left * left / (sq * sq))) <= 1e-12);
+      Proportions in_strips(g);
+      in_strips.add(z.topRows(z.rows() / 2)), in_strips.add(z.bottomRows(z.rows() - z.rows() / 2));
+      CHECK(in_strips.plane_share() == found.plane_share());
+      CHECK(in_strips.rms_slope() == found.rms_slope());
+    }
+}
+
+TEST_CASE(
+    "heights of more than a tenth of their length or an rms slope of 1 are implausible, level ones are not",
+    "[moments][exact]") {
+  auto of = [](const Grid& g, double height) { return Proportions(sine(g.shape, height, 1), g); };
+  const Grid g{{40, 20}, 1, 1};
+  const double steepest = std::numbers::sqrt2 / (2 * std::numbers::pi / 40);  // of slope 1
+  CHECK_FALSE(of(g, 0.98 * 4 * std::numbers::sqrt2).implausible());
+  CHECK(of(g, 1.02 * 4 * std::numbers::sqrt2).implausible());
+  CHECK_FALSE(of({{40, 200}, 1, 1}, 0.95 * steepest).implausible());
+  CHECK(of({{40, 200}, 1, 1}, 1.05 * steepest).implausible());
+  const Proportions level(Field::Constant(20, 1, 3e-6), {{20, 1}, 1e-6, 1e-6});
+  CHECK_FALSE((level.implausible() || level.tilted() || level.plane_share() != 0));
+  CHECK_FALSE(Proportions(Field::Constant(1, 1, 5.0), {{1, 1}, 1, 1}).implausible());
 }
 
 TEST_CASE("moments of a z + b: lengths scale with |a|, Ssk with its sign, Sku not at all", "[moments][law]") {

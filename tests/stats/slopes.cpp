@@ -51,6 +51,40 @@ TEST_CASE("Sdq of a periodic sine is A q/sqrt(2) times sin(qh/2)/(qh/2)", "[slop
   }
 }
 
+// Sdq of two waves of two and a half points is 0.51 of their slope.
+TEST_CASE("the rms slope by waves is that of their sum, however few points they have, without an error",
+          "[slopes][exact]") {
+  for (Index n : {1, 20, 25}) {
+    const Grid g{{n, 15}, 0.1, 0.3, true};
+    const double qx = n == 1 ? 0 : 2 * std::numbers::pi / (2.5 * g.dx),
+                 qy = 2 * std::numbers::pi / (3 * g.dy);
+    const Field z = sample(g, [=](double x, double y) { return 3 + 2 * std::cos(qx * x + qy * y + 0.3); });
+    const RmsSlope slope = rms_slope(z, g);
+    CHECK(relative_error(slope.value, std::hypot(qx, qy) * std::numbers::sqrt2) <= 1e-13);
+    CHECK(slope.error == 0);
+  }
+}
+
+// The difference of the last point and the first, at a seam that jumps, is no slope of the surface.
+TEST_CASE("along a free axis, or one that jumps at its seam, the rms slope has an error that holds",
+          "[slopes][law]") {
+  for (const double points : {3.0, 4.0, 8.0, 30.0}) {
+    for (const bool periodic : {false, true}) {
+      const Grid g{{101, 40}, 0.1, 0.3, periodic};
+      const double q = 2 * std::numbers::pi / (points * g.dx);
+      const Field z =
+          sample(g, [=](double x, double) { return 2 * std::cos(q * x + 0.3) + (periodic ? 40 * x : 0); });
+      const RmsSlope slope = rms_slope(z, g);
+      const double half = q * g.size_x() / 2, tilt = periodic ? 40 : 0;  // the mean over the domain
+      const double exact = std::sqrt(2 * q * q * (1 - std::cos(0.6) * std::sin(2 * half) / (2 * half)) -
+                                     4 * q * tilt * std::sin(0.3) * std::sin(half) / half + tilt * tilt);
+      CAPTURE(points, periodic, slope.value, exact);
+      CHECK(std::abs(slope.value - exact) <= slope.error);
+      CHECK(slope.error <= 6 * std::abs(slope.value - exact) + 0.02 * exact);
+    }
+  }
+}
+
 // A wave's arc is 4√(1+A²) E(k)/2π of its base, k² = A²/(1+A²); chords fall short by h²/24
 // mean[z''²/(1+z'²)^{3/2}], here by a sum over 1000 points, exact for a smooth period.
 TEST_CASE("Sdr of a sine converges to its arc length at order 2 with the constant of its curvature",

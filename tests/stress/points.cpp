@@ -74,6 +74,42 @@ TEST_CASE("between the cells, too, the stress below a periodic wave and its mean
     }
 }
 
+// A point on a side was none of its two cells', or one of both: σzz = 0 in place of -p, or -2 p, by the round-off
+// of its distances from them. At z = 0 σzz = -p and (σxz, σyz) = -q hold as the means of the cells that meet;
+// half a unit in the last place of the coordinates is 1e-16 of a cell, whose steps show at depth 0 only.
+TEST_CASE("at the surface on sides and corners of cells the tractions are the means of those that meet there",
+          "[points][exact]") {
+  const Friction friction{0.3, 0.6};
+  const double qx = 0.3 * std::cos(0.6), qy = 0.3 * std::sin(0.6);
+  for (Periodic periodic : {Periodic{}, Periodic{true, false}, Periodic{false, true}})
+    for (Shape shape : {periodic.any() ? Shape{4, 3} : Shape{13, 7}, Shape{1, 4}, Shape{5, 1}}) {
+      const Grid grid{shape, 3e-3 / 128, 0.7e-3 / 3, periodic};
+      const Field p = random_field(shape, 54).abs();
+      const StressPoints points({grid, p, nu, friction});
+      auto at = [&](Index i, Index j) {
+        if (periodic.x) i = (i + shape.nx) % shape.nx;
+        if (periodic.y) j = (j + shape.ny) % shape.ny;
+        return i >= 0 && j >= 0 && i < shape.nx && j < shape.ny ? p(i, j) : 0;
+      };
+      auto check = [&](double x, double y, double mean) {
+        const Tensor s = points.at(x, y, 0);
+        CAPTURE(shape.nx, shape.ny, periodic.x, periodic.y, x, y, mean);
+        const double bound = periodic.any() ? 1e-11 : 64 * epsilon * p.sum();
+        CHECK(std::abs(s[stress::zz] + mean) <= bound);
+        CHECK(std::abs(s[stress::xz] + qx * mean) <= bound);
+        CHECK(std::abs(s[stress::yz] + qy * mean) <= bound);
+      };
+      for (Index i = 0; i <= shape.nx; ++i)
+        for (Index j = 0; j <= shape.ny; ++j) {
+          const double x = static_cast<double>(i) * grid.dx - grid.size_x() / 2,  // as typed
+              y = (static_cast<double>(j) - static_cast<double>(shape.ny) / 2) * grid.dy;
+          if (j < shape.ny) check(x, grid.y(j), (at(i - 1, j) + at(i, j)) / 2);
+          if (i < shape.nx) check(grid.x(i), y, (at(i, j - 1) + at(i, j)) / 2);
+          check(x, y, (at(i - 1, j - 1) + at(i, j - 1) + at(i - 1, j) + at(i, j)) / 4);
+        }
+    }
+}
+
 TEST_CASE("a mean traction is met by its own shear at any point, however deep", "[points][exact]") {
   const Grid grid{{6, 5}, 0.5, 0.4, true};
   const StressPoints points({grid, Field::Constant(6, 5, 2.0), nu, {0.25, pi / 6}});

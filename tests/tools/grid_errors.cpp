@@ -39,7 +39,11 @@ TEST_CASE("a surface that the grid does not resolve gets no errors, and one line
           "[contact][contract]") {
   const Outcome rough = shell(surface + press + "--add grid_errors -o rough.nc");
   CHECK(rough.exit == 0);
-  CHECK(rough.error.find("the grid does not resolve the surface") != std::string::npos);
+  // γ is a ratio of two increments, and was told as a growth of the slope.
+  CHECK_THAT(rough.error,
+             ContainsSubstring("the grid does not resolve the surface: the last halving of the "
+                               "cells, to these, adds ") &&
+                 ContainsSubstring(" times as much to its mean square slope as the halving before"));
   const Attributes a = read_dataset("rough.nc").attributes;
   CHECK(a.number("contact_slope_growth", 0) > 2);
   for (const char* name : {"area", "area_corrected", "max_pressure", "approach"})
@@ -58,6 +62,17 @@ TEST_CASE("a sweep has a column of errors beside each figure", "[contact][contra
     CHECK(columns[std::string(name) + "_error"]["values"][1].get<double>() >= 0);
   }
   CHECK(!nlohmann::json::parse(require(line).out).contains("area_error"));
+  require(band_limited + " --periodic -o flat.nc -q");
+  const auto flats = nlohmann::json::parse(require("asperity-contact flat.nc --sweep 10N,100N --json --add "
+                                                   "grid_errors,contact_ratios,elastic_energy" +
+                                                   elastic)
+                                               .out);
+  for (const char* name : {"area_share", "reduced_pressure", "kappa", "reduced_gap", "elastic_energy"}) {
+    CAPTURE(name);
+    const double error = flats[std::string(name) + "_error"]["values"][1];
+    CHECK(error >= 0);
+    CHECK(error <= 0.2 * flats[name]["values"][1].get<double>());
+  }
   // Each load has its own errors: those of a run under it alone, up to the tolerance of both.
   const Attributes alone = attributes(smooth + "--radius 50mm --load 5kN --add grid_errors");
   CHECK(columns["approach_error"]["values"][1].get<double>() ==

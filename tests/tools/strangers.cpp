@@ -3,7 +3,7 @@
 
 #include "dataset/layout.hpp"
 #include "support.hpp"
-#include "tools/files.hpp"
+#include "tools/maps.hpp"
 #include "tools/shell.hpp"
 
 using namespace asperity;
@@ -11,6 +11,7 @@ using namespace asperity::test;
 
 namespace {
 
+const std::string steel = " --young 208GPa --poisson 0.3";
 const std::string draw =
     "asperity-generate --shape 24x20 --size 24um,20um --rq 0.1um --length 3um --seed 1 -q ";
 
@@ -163,4 +164,47 @@ TEST_CASE("asperity-acf says that holes like a checkerboard's leave no lengths",
   CHECK(run.exit == 0);
   CHECK_THAT(run.error, ContainsSubstring("no two neighbouring points are both measured"));
   CHECK_THAT(run.error, !ContainsSubstring("--max-lag"));
+}
+
+// A map in a wrong unit, and one that was never levelled, got advice to measure a larger field, or nothing.
+TEST_CASE(
+    "heights too high for their length are told once by each tool that reads or draws them, not with -q",
+    "[strangers][contract]") {
+  const std::string high = "asperity-generate --shape 32x32 --size 1mm --rq 0.4mm --length 6px --seed 1 ";
+  require(high + "-q -o high.nc; asperity-convert high.nc -q -o high.sdf");
+  for (const std::string& line :
+       {high + "-o again.nc", high + "--count 3 -o again_%d.nc", std::string("asperity-stats high.nc"),
+        std::string("asperity-pdf high.nc"), std::string("asperity-psd high.nc --result radial"),
+        std::string("asperity-convert high.sdf -o high.gsf"),
+        std::string("asperity-filter high.nc --mirror x -o turned.nc"),
+        "asperity-contact high.nc --approach 1um -o c.nc --radius 1mm" + steel}) {
+    const Outcome run = shell(line), quiet = shell(line + " -q");
+    CAPTURE(line, run.error);
+    const std::size_t told = run.error.find("check the units of heights and lengths");
+    CHECK(told != std::string::npos);
+    CHECK(run.error.find("check the units", told + 10) == std::string::npos);
+    CHECK(quiet.error.find("check the units") == std::string::npos);
+  }
+  CHECK(shell(draw + "-o plausible.nc; asperity-stats plausible.nc").error.find("units") ==
+        std::string::npos);
+}
+
+TEST_CASE("of heights that are a tilt, the tilt is told before any advice to measure more",
+          "[strangers][contract]") {
+  const Grid g{{64, 48}, 1e-6, 1e-6};
+  const Field tilted =
+      20e-9 * random_field(g.shape, 1) + sample(g, [](double x, double) { return 0.05 * x; });
+  write_map(tilted, g, "tilt.nc");
+  for (const std::string& line :
+       {std::string("asperity-stats tilt.nc"), std::string("asperity-acf tilt.nc --result lengths"),
+        "asperity-contact tilt.nc --load 1mN -o c.nc" + steel}) {
+    const Outcome run = shell(line);
+    CAPTURE(line, run.error);
+    const std::size_t tilt = run.error.find("a plane makes up 99.9"),
+                      more = run.error.find("measure a larger field");
+    CHECK(tilt < run.error.size());
+    CHECK(tilt < more);
+    CHECK_THAT(run.error, ContainsSubstring("--remove-form plane"));
+  }
+  CHECK(shell("asperity-stats tilt.nc --remove-form plane").error.find("a plane") == std::string::npos);
 }

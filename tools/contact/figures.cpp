@@ -20,27 +20,32 @@ void if_possible(Measure measure) try {
 }
 
 void add_ratios(Figures& out, const ContactScene& scene, const ContactOptions& o, const Contact& c,
-                double area) {
+                const GridFigures& grid) {
   const GapRoughness& gap = scene.roughness;
-  const ContactRatios ratios = contact_ratios(scene.grid, o.bodies, gap, o.contact.limit_pressure, c, area);
-  auto add = [&out](const char* name, const char* unit, double value, bool of_load) {
-    if (std::isfinite(value)) out.push_back({name, unit, value, of_load});
+  const double area = grid.area_corrected, load_error = o.contact.approach ? grid.errors.load : 0;
+  const ContactRatios ratios = contact_ratios(scene.grid, o.bodies, gap, o.contact.limit_pressure, c, area),
+                      errors = ratio_errors(ratios, gap, c, area, grid.errors, load_error);
+  auto add = [&out](const char* name, const char* unit, double value, bool of_load,
+                    std::optional<double> error = {}) {
+    if (std::isfinite(value)) out.push_back({name, unit, value, of_load, error});
   };
-  add("area_share", "1", ratios.area_share, true);
-  add("reduced_pressure", "1", ratios.reduced_pressure, true);
-  add("kappa", "1", ratios.kappa, true);
-  add("reduced_gap", "1", ratios.reduced_gap, true);
+  add("area_share", "1", ratios.area_share, true, errors.area_share);
+  add("reduced_pressure", "1", ratios.reduced_pressure, true, errors.reduced_pressure);
+  add("kappa", "1", ratios.kappa, true, errors.kappa);
+  add("reduced_gap", "1", ratios.reduced_gap, true, errors.reduced_gap);
   add("sphere_roughness", "1", ratios.sphere_roughness, true);
   add("plasticity_index", "1", ratios.plasticity_index, false);
   add("nayak_alpha", "1", gap.nayak_alpha, false);
-  add("rms_slope", "1", gap.rms_slope, false);
+  add("rms_slope", "1", gap.rms_slope, false, gap.rms_slope_error);
   add("rms_height", "m", gap.rms_height, false);
 }
 
-void add_energies(Figures& out, const ContactScene& scene, const ContactOptions& o, const Contact& c) {
+void add_energies(Figures& out, const ContactScene& scene, const ContactOptions& o, const Contact& c,
+                  const GridErrors& errors) {
   const double limit = o.contact.limit_pressure;
-  out.push_back({"elastic_energy", "J", elastic_energy(scene.grid, c)});
-  if (std::isfinite(limit)) out.push_back({"plastic_work", "J", plastic_work(scene.grid, c, limit)});
+  out.push_back({"elastic_energy", "J", elastic_energy(scene.grid, c), true, errors.elastic_energy});
+  if (std::isfinite(limit))
+    out.push_back({"plastic_work", "J", plastic_work(scene.grid, c, limit), true, errors.plastic_work});
 }
 
 void add_patches(Figures& out, const Grid& grid, const Contact& c) {
@@ -58,11 +63,8 @@ GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads)
   const Strip whole = Strip::whole(rough_gap, grid);
   const double mean = rough_gap.mean();
   if_possible([&] { out.rms_height = moments(rough_gap).sq; });
-  if_possible([&] {
-    SlopeSums slopes;
-    slopes.add(whole, threads);
-    out.rms_slope = slopes.parameters(grid).sdq;
-  });
+  const RmsSlope slope = rms_slope(rough_gap, grid);
+  out.rms_slope = slope.value, out.rms_slope_error = slope.error;
   if_possible([&] {
     SpectralMomentSums spectral;
     spectral.add(whole, mean, threads);
@@ -81,8 +83,8 @@ GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads)
 Figures figures(const ContactScene& scene, const ContactOptions& o, const Contact& contact,
                 const GridFigures& grid) {
   Figures out;
-  if (o.adds("contact_ratios")) add_ratios(out, scene, o, contact, grid.area_corrected);
-  if (o.adds("elastic_energy")) add_energies(out, scene, o, contact);
+  if (o.adds("contact_ratios")) add_ratios(out, scene, o, contact, grid);
+  if (o.adds("elastic_energy")) add_energies(out, scene, o, contact, grid.errors);
   if (o.adds("patches")) add_patches(out, scene.grid, contact);
   return out;
 }

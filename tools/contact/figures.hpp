@@ -1,6 +1,7 @@
 /// What --add gives beyond the solution: numbers for attributes and the table of a sweep, and patches.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ struct Figure {
   std::string name;  ///< of its column; its attribute is contact_name
   std::string unit;
   double value;
-  bool of_load = true;  ///< varies with the load; the others are the scene's
+  bool of_load = true;               ///< varies with the load; the others are the scene's
+  std::optional<double> error = {};  ///< of the grid, NaN where not known; of a figure that may have one
 };
 using Figures = std::vector<Figure>;
 

@@ -38,6 +38,9 @@ void record(Attributes& a, const GridErrors& e) {
   set("contact_plastic_area_error", e.plastic_area);
   set("contact_mean_gap_error", e.mean_gap);
   set("contact_stiffness_error", e.stiffness);
+  for (const auto& [name, error] :
+       {std::pair{"contact_elastic_energy", e.elastic_energy}, {"contact_plastic_work", e.plastic_work}})
+    if (a.find(name) != nullptr) set((std::string(name) + "_error").c_str(), error);
 }
 
 void record(Attributes& a, const SlopeGrowth& growth, const GridFigures& figures) {
@@ -55,9 +58,12 @@ std::vector<Doubt> doubts(const SlopeGrowth& growth) {
   const bool not_at_all = growth.resolved() == Resolved::no;
   return {{"is not resolved",
            fmt::format(
-               "the grid {} the surface: from grid to grid its mean square slope grows by a factor of {:.2g} "
-               "(contact_slope_growth; below 0.8 on a grid that is fine enough), {}; give the surface a "
-               "short-wave cut-off of some 8 cells (asperity help troubleshooting)",
+               "the grid {} the surface: the last halving of the cells, to these, adds {:.2g} times as much "
+               "to its "
+               "mean square slope as the halving before (contact_slope_growth; less than 0.8 times where the "
+               "grid "
+               "is fine enough), {}; give the surface a short-wave cut-off of some 8 cells (asperity help "
+               "troubleshooting)",
                not_at_all ? "does not resolve" : "barely resolves", growth.gamma,
                not_at_all ? "so areas and pressures depend on the grid and have no errors"
                           : "so errors of the grid are in doubt")}};

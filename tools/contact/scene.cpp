@@ -9,6 +9,7 @@
 #include "contact/influence.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/grid_words.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/contact/figures.hpp"
@@ -69,6 +70,13 @@ Periodic periodic(const ContactOptions& o, const Grid& grid) {
   return out;
 }
 
+// Of the rows of this rank; the first one has all.
+Field with_doubts(const Tool& tool, Field heights, const Grid& grid) {
+  if (tool.speaks())
+    warn_of_heights(tool, Proportions(heights, grid), "m", "asperity-filter --remove-form plane");
+  return heights;
+}
+
 Field counter_heights(const Tool& tool, const std::string& name, const Grid& grid, std::size_t held,
                       Extent rows) {
   tool.reads(name);  // nothing of it is passed on
@@ -77,7 +85,7 @@ Field counter_heights(const Tool& tool, const std::string& name, const Grid& gri
   if (!same_grid(own, grid))
     throw DataError("counter", fmt::format("its grid, {}, differs from that of the first body, {}",
                                            described(own), described(grid)));
-  return field_of(data, "heights", "m", rows);
+  return with_doubts(tool, field_of(data, "heights", "m", rows), grid);
 }
 
 void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
@@ -195,6 +203,7 @@ void learn_from_gap(ContactScene& scene, const ContactOptions& o, bool spends_ga
   scene.growth =
       rough ? slope_growth(spends_gap ? std::move(scene.gap) : scene.gap, scene.grid, o.contact.threads)
             : SlopeGrowth{GridErrors::none};
+  if (scene.growth.resolved() == Resolved::no) scene.roughness.rms_slope_error = GapRoughness::unknown;
 }
 
 }  // namespace
@@ -214,7 +223,7 @@ ContactScene scene_of(const Tool& tool, const ContactOptions& o, Dataset data) {
   const Extent rows = whole ? Extent{0, shape.nx} : slabs.own();
   agree(*o.ranks, [&] {
     scene.gap = undeformed_gap(scene.grid, o.bodies, rows);
-    if (!o.smooth) scene.gap -= field_of(scene.data, o.variable, "m", rows);
+    if (!o.smooth) scene.gap -= with_doubts(tool, field_of(scene.data, o.variable, "m", rows), given);
     if (!o.counter.empty())
       scene.gap -= counter_heights(tool, o.counter, given, scene.data.size_in_memory(), rows);
   });
@@ -252,7 +261,11 @@ void record(ContactScene& scene, const ContactOptions& options, const Contact& c
   record(a, scene.growth, grid);
   record_fields(scene.data, fields, contact);
   record_flattening(scene.data, fields, options, contact, pressed);
-  for (const Figure& f : figures(scene, options, contact, grid)) a.set("contact_" + f.name, f.value);
+  for (const Figure& f : figures(scene, options, contact, grid)) {
+    a.set("contact_" + f.name, f.value);
+    if (const double error = f.error.value_or(NAN); !std::isnan(error))
+      a.set("contact_" + f.name + "_error", error);
+  }
   if (options.adds("patches")) record_patches(scene.data, scene.grid, contact);
 }
 
@@ -266,7 +279,10 @@ void add_load(Table& table, const ContactScene& scene, const ContactOptions& opt
       if (errors && l.error) table.columns.push_back({l.name + "_error"s, l.unit, Holds::unknown});
     }
     for (const Figure& f : further)
-      if (f.of_load) table.columns.push_back({f.name, f.unit});
+      if (f.of_load) {
+        table.columns.push_back({f.name, f.unit});
+        if (errors && f.error) table.columns.push_back({f.name + "_error", f.unit, Holds::unknown});
+      }
   }
   std::vector<Cell> row;
   for (const LoadColumn& l : load_columns) {
@@ -274,7 +290,10 @@ void add_load(Table& table, const ContactScene& scene, const ContactOptions& opt
     if (errors && l.error) row.push_back(grid.errors.*l.error);
   }
   for (const Figure& f : further)
-    if (f.of_load) row.push_back(f.value);
+    if (f.of_load) {
+      row.push_back(f.value);
+      if (errors && f.error) row.push_back(*f.error);
+    }
   table.rows.push_back(std::move(row));
 }
 

@@ -11,6 +11,7 @@
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/measure/preparation_words.hpp"
@@ -104,6 +105,8 @@ Surface FieldOptions::read(const Tool& tool, const Dataset& data, const Ranks& r
   check_cutoffs(tool, asked, surface.grid);
   surface = prepared(std::move(surface), asked, tool.thread_count());
   for (const std::string& doubt : surface.doubts) tool.warn(doubt);
+  if (!rows.shared())
+    warn_of_heights(tool, Proportions(surface.heights, surface.grid), surface.units, "--remove-form plane");
   if (surface.filled > 0)
     tool.warn(in_digits(100 * surface.filled, 2) +
               " % of the points were filled; errors take them for measured, and are too small");

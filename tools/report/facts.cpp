@@ -125,7 +125,7 @@ std::string contact_figures(const Dataset& data) {
                            "plastic_work", "patches", "largest_patch", "percolates_x", "percolates_y"}) {
     const KnownAttribute* known = known_attribute(std::string("contact_") + name);
     if (const Values* values = data.attributes.find(known->name))
-      lines += line(known->name, known->label, text_of(data, *values, std::string(known->unit)));
+      lines += line(known->name, known->label, with_error(data, *known, *values));
   }
   return element("dl", lines);
 }

@@ -15,8 +15,7 @@ void StressOptions::declare(Tool& tool) {
   surfaces.declare(tool);
   tool.text("--depths", depths, "DEPTHS",
             "Depths of the layers; 0:1mm:32 (equal steps), 0.5px:1mm:32:geometric (equal ratios) or "
-            "0,10um,50um. px is "
-            "the shorter side of a cell",
+            "0,10um,50um. px is the shorter side of a cell",
             where);
   tool.text("--section", section, "AXIS=PLACE",
             "Compute one vertical section only; y=0, x=0.2mm, or y=max: through the largest stress, that of "
@@ -26,8 +25,10 @@ void StressOptions::declare(Tool& tool) {
   declare_maximum(tool);
   tool.text("--points", points, "FILE",
             "Print a table of the stress at points instead; x, y and depth with their units on each line "
-            "(1um 0 5um), or "
-            "under a header with units, '# x [um] y [um] depth [um]'; - is standard input",
+            "(1um 0 5um), or under a header with units, '# x [um] y [um] depth [um]'; - is standard input. "
+            "On a side "
+            "or corner of cells a stress that steps is the mean of theirs, if the load repeats along one "
+            "axis at most",
             where);
   tool.choice(
       "--result", result, {"dataset", "maxima"},

@@ -6,6 +6,7 @@
 #include "dataset/layout.hpp"
 #include "surface/running_moments.hpp"
 #include "tools/cli/dataset_stream.hpp"
+#include "tools/cli/heights_words.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/turns.hpp"
@@ -48,9 +49,11 @@ class Writer {
     record();
     tool_.sign(data_);
     out_.head(data_, layers_.size());
+    Proportions proportions(grid_of(data_));
     for (Layer& layer : layers_)
       layer.rows([&](Index, Eigen::Ref<Field> rows) {
         if (!survey_first) layer.moments.add(rows);
+        if (drawing_.first && &layer == &layers_.front()) proportions.add(rows);
         out_.values(rows);
         advance(rows);
       });
@@ -59,6 +62,7 @@ class Writer {
       out_.head(data_, layers_.size());
     }
     in_turn([file = file_] { file->close(); });
+    warn_of_proportions(tool_, proportions);
     tool_.write_report(data_);
   }
 

@@ -16,6 +16,7 @@ struct Drawing {
   double rms;          ///< of the ensemble [m]
   bool exact_rq;       ///< give the heights mean zero and this rms
   bool with_noise;     ///< write noise(x, y) too
+  bool first;          ///< of those that are drawn: said of it is what holds of all
   std::size_t memory;  ///< bytes that the work and, where it fits, the surface may take
   std::function<void(double share)> progress;  ///< told how much of it is done
 
