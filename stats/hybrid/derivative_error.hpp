@@ -51,6 +51,7 @@ class DerivativeErrors {
   std::string too_few(double share, const char* neighbours) const;
 
   Grid grid_;
+  SummitFinder finder_ = {};
   LocalSums sums_;
   LocalMeans means_ = {};
 };
