@@ -100,21 +100,21 @@ double DerivativeErrors::left(const Function& parameter, double taken) const {
   });
 }
 
-std::string DerivativeErrors::too_few(double share, const char* neighbours) const {
+std::string too_few_points(const LocalMeans& means, double points, Index there, const char* neighbours) {
   constexpr double points_a_wave = 10;
-  const double points = std::round(share * sums_.count()),
-               least = points_a_wave * static_cast<double>(std::max<Index>(means_.waves(), 1));
-  if (points > least) return "";
-  return "no standard error: " + shortest(points) + (points == 1 ? " point has " : " points have ") +
-         neighbours + ", and an error needs more than " + shortest(least);
+  const double have = std::round(means([there](const Eigen::VectorXd&m) { return m(there); }) * points),
+               least = points_a_wave * static_cast<double>(std::max<Index>(means.waves(), 1));
+  if (have > least) return "";
+  return "no standard error: " + shortest(have) + (have == 1 ? " point has " : " points have ") + neighbours +
+         ", and an error needs more than " + shortest(least);
 }
 
 std::string DerivativeErrors::too_few_slopes() const {
-  return too_few(means_([](const Eigen::VectorXd& m) { return m(sloped); }), "the neighbours of a slope");
+  return too_few_points(means_, sums_.count(), sloped, "the neighbours of a slope");
 }
 
 std::string DerivativeErrors::too_few_curvatures() const {
-  return too_few(means_([](const Eigen::VectorXd& m) { return m(surrounded); }), "all eight neighbours");
+  return too_few_points(means_, sums_.count(), surrounded, "all eight neighbours");
 }
 
 double DerivativeErrors::operator()(const Function& parameter) const {

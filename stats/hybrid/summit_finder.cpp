@@ -136,17 +136,17 @@ std::vector<FoundSummits> SummitFinder::add(const Strip& strip) {
   if (out.empty()) return out;
   around_ = strip.grid.periodic.both(), columns_ = rows.columns();
   const Index last = strip.grid.shape.nx - (around_ ? 1 : 3);
+  auto level = [&](const Row& row) { return rounding_ > 0 ? Row((row / rounding_).round()) : row; };
   Row before = rows(0), here = rows(1);
-  std::vector<Node> points;
   for (Index i = 0; i < rows.rows(); ++i, ++row_) {
-    const Row after = rows(i + 2);
-    const Neighbourhood around{before, here, after};
+    const Row after = rows(i + 2), levels[] = {level(before), level(here), level(after)};
+    const Neighbourhood around{before, here, after}, by_level{levels[0], levels[1], levels[2]};
     FoundSummits& found = out[size(i)];
-    points.clear();
+    std::vector<Node> points;
     for (Index j = 1; j <= columns_; ++j) {
-      if (!around.highest(j)) continue;
+      if (!by_level.highest(j)) continue;
       const double curvature = around.curvature(j, strip.grid);
-      const Index equals = around.equals(j);
+      const Index equals = by_level.equals(j);
       if (equals == 0)
         found.push_back({j - 1, here(j), curvature});
       else
@@ -156,7 +156,7 @@ std::vector<FoundSummits> SummitFinder::add(const Strip& strip) {
                           .height = here(j),
                           .points = 1,
                           .curvature = curvature,
-                          .sides = around.sides(j),
+                          .sides = by_level.sides(j),
                           .equals = equals,
                           .waits = around_ && row_ == 0});
     }

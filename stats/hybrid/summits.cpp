@@ -37,7 +37,7 @@ void SummitSums::add(const Strip& strip, double level, int threads) {
       add_to(out[heights], height);
       add_to(out[squares], height * height);
       add_to(out[curvatures], summit.curvature);
-      if (summit.points > 1) ++out[plateaus].count;
+      if (summit.points > 1) add_to(out[plateaus], summit.points);
     }
     return out;
   });
@@ -49,6 +49,7 @@ CountedSummits SummitSums::summits(const Grid& grid) const {
   CountedSummits out;
   out.count = sums_[heights].count;
   out.plateaus = sums_[plateaus].count;
+  if (out.plateaus > 0) out.width = std::sqrt(mean_of(sums_[plateaus]));
   out.density = out.count / (sums_[neighbourhoods].count * grid.cell_area());
   if (out.count == 0) return out;
   out.mean_height = mean_of(sums_[heights]);

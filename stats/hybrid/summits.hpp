@@ -46,11 +46,14 @@ struct Summits {
 struct CountedSummits : Summits {
   double count = 0;
   double plateaus = 0;  ///< among them, of two points or more
+  double width = 0;     ///< √ of the mean number of points of a plateau
 };
 
 /// The sums of a field that comes in strips, each but the last with a halo of two rows.
 class SummitSums {
  public:
+  /// Heights that round to the same multiple of `rounding` are equal.
+  SummitSums(double rounding = 0) : finder_(rounding) {}
   /// `level` is the mean of the whole field.
   void add(const Strip& strip, double level, int threads = 1);
   /// Throws DataError("heights", …) without 3 × 3 measured points. Without a summit, density and count are 0
@@ -58,7 +61,7 @@ class SummitSums {
   CountedSummits summits(const Grid& grid) const;
 
  private:
-  SummitFinder finder_ = {};
+  SummitFinder finder_;
   RowSums<5> sums_{};
 };
 
