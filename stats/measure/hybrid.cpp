@@ -16,8 +16,8 @@ constexpr double least_share = 0.01;  // of a parameter, that is told
 
 std::string steps_in(double step, double share, const char* square) {
   if (!(share > least_share)) return "";
-  return "steps of " + in_digits(step, 2) + " m in the heights are " +
-         in_digits(std::min(100.0, 100 * share), 2) + " % of the mean square " + square;
+  return "steps of " + number(step) + " m in the heights are " + number(std::min(100.0, 100 * share)) +
+         " % of the mean square " + square;
 }
 
 // A value, or NaN and the reason.
@@ -57,8 +57,9 @@ struct StepDoubts {
       const double part = step * step / parts / std::pow(spacing, 2 * order);
       return part < moment * 1e6 ? part / moment : 0;
     };
-    slopes = std::max(share(6, of.moments.m20, grid.dx, 1), share(6, of.moments.m02, grid.dy, 1));
-    curvatures = std::max(share(2, of.moments.m40, grid.dx, 2), share(2, of.moments.m04, grid.dy, 2));
+    const bool x = grid.shape.nx > 1, y = grid.shape.ny > 1;
+    slopes = std::max(x * share(6, of.moments.m20, grid.dx, 1), y * share(6, of.moments.m02, grid.dy, 1));
+    curvatures = std::max(x * share(2, of.moments.m40, grid.dx, 2), y * share(2, of.moments.m04, grid.dy, 2));
   }
   std::string why(Rests on) const {
     if (on == Rests::on_slopes) return steps_in_slopes(step, slopes);
@@ -150,6 +151,11 @@ constexpr Definition<Differentiated> nayak_table[] = {
     {"nayak_radius", "m", "1 / mean curvature of summits, expected of a Gaussian surface",
      expected<&Summits::radius>}};
 
+bool is_profile(const Sample& sample) {
+  const auto [nx, ny] = sample.grid().shape;
+  return (nx == 1 || ny == 1) && sample.whole() && sample.surface().units == "m";
+}
+
 // m0 = Sq², with the error and the interval of Sq.
 Estimate square_of_sq(const Sample& sample, const MeasureOptions& options) {
   const Parameters heights = height_parameters(sample, options);
@@ -168,9 +174,12 @@ std::string steps_in_curvatures(double step, double share) {
 }
 
 Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options) {
-  const auto [nx, ny] = sample.grid().shape;
-  if ((nx == 1 || ny == 1) && sample.whole() && sample.surface().units == "m")
+  if (is_profile(sample)) {
+    if (options.direction)
+      throw ParameterError("direction",
+                           "'" + options.direction->text + "' is none of a single row or column");
     return profile_derivatives(sample, square_of_sq(sample, options));
+  }
   const auto slopes = had(sample, &Sample::slopes);
   const auto moments = had(sample, &Sample::spectral_moments);
   const auto summits = had(sample, &Sample::summits);
@@ -200,17 +209,26 @@ Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options
 }
 
 std::string doubt_of_steps(const Sample& sample) {
-  const Derivatives values{.moments = had(sample, &Sample::spectral_moments).value,
-                           .summits = had(sample, &Sample::summits).value};
+  Derivatives values{.moments = had(sample, &Sample::spectral_moments).value,
+                     .summits = had(sample, &Sample::summits).value};
+  if (is_profile(sample)) {
+    const Parameters rows = profile_derivatives(sample, {unknown});  // m0, m2, m4, …
+    const double m2 = rows[1].value, m4 = rows[2].value;
+    values = {.moments = {.m20 = m2, .m02 = m2, .m40 = m4, .m04 = m4}};
+  }
   const StepDoubts steps(sample, values);
-  std::string out;
-  for (const auto& [on, names] : {std::pair{Rests::on_slopes, "Sdq, Sdr and m2"},
-                                  std::pair{Rests::on_curvatures, "m4, alpha and nayak_..."},
-                                  std::pair{Rests::on_summits, "summit_..."}})
-    if (const std::string why = steps.why(on); !why.empty())
-      out += (out.empty() ? "" : "; ") + why + ", so " + names + " are in doubt and have no errors";
+  std::string whys, names;
+  for (const auto& [on, these] :
+       {std::pair{Rests::on_slopes, "Sdq, Sdr, m2"}, std::pair{Rests::on_curvatures, "m4, alpha, nayak_..."},
+        std::pair{Rests::on_summits, "summit_..."}})
+    if (const std::string why = steps.why(on); !why.empty()) {
+      whys += (whys.empty() ? "" : ", ") + why;
+      names += (names.empty() ? "" : ", ") + std::string(these);
+    }
   const double least = std::max(4.0, std::ceil(steps.width) + 1);
-  return out.empty() ? out : out + "; lambda-s of " + shortest(least) + " spacings smooths the steps";
+  return whys.empty() ? ""
+                      : whys + ": " + names + " are in doubt and have no errors; lambda-s of " +
+                            shortest(least) + " spacings smooths the steps";
 }
 
 }  // namespace asperity
