@@ -28,8 +28,8 @@ struct HeightSteps {
 };
 HeightSteps height_steps(const Field& z);
 
-/// The step of heights that come in parts, from neighbours: their least difference, where one pair in a hundred
-/// or more is equal. Heights of many bits have none, and a tilt that was taken off hides it.
+/// The step of heights that come in parts, from neighbours: their least difference, where one pair in a
+/// hundred or more is equal. Heights of many bits have none, and a tilt that was taken off hides it.
 class NeighbourSteps {
  public:
   void add(const Field& z);

@@ -83,10 +83,9 @@ void DerivativeErrors::add(const Strip& strip, double level, int threads) {
     set_where(all, s13, zxy * zyy), set_where(all, s04, zyy.square());
     for (const Local a : {summit, height, square, curvature}) set(a, Row(Row::Zero(n)));
     for (const FoundSummit& s : found[size(i)]) {
-      const double h = s.height - level;
-      auto add = [&](Local a, double value) { values(s.column, a + 1) += value; };
-      add(summit, 1), add(height, h), add(square, h * h);
-      add(curvature, s.points > 1 ? s.curvature : -0.5 * (zxx(s.column) + zyy(s.column)));
+      const double h = s.height - level,
+                   c = s.points > 1 ? s.curvature : -0.5 * (zxx(s.column) + zyy(s.column));
+      values.row(s.column).segment(summit + 1, 4) += Eigen::RowVector4d(1, h, h * h, c);
     }
   });
 }

@@ -44,8 +44,8 @@ class SummitFinder {
  public:
   /// Heights are equal where they round to the same multiple of `rounding`; 0: where they are.
   SummitFinder(double rounding = 0) : rounding_(rounding) {}
-  /// The summits of the next strip, for each row of NeighbourRows(strip, 2) those of its points, from column 0
-  /// on, and the plateaus that end before it. The last row has all that are left.
+  /// The summits of the next strip, for each row of NeighbourRows(strip, 2) those of its points, from column
+  /// 0 on, and the plateaus that end before it. The last row has all that are left.
   std::vector<FoundSummits> add(const Strip& strip);
 
  private:
