@@ -64,8 +64,11 @@ struct StepDoubts {
   std::string why(Rests on) const {
     if (on == Rests::on_slopes) return steps_in_slopes(step, slopes);
     if (on == Rests::on_curvatures) return steps_in_curvatures(step, curvatures);
-    if (!(plateaus > least_share * summits)) return "";
-    return shortest(plateaus) + " of " + shortest(summits) + " summits are plateaus of equal heights";
+    if (plateaus > least_share * summits)
+      return shortest(plateaus) + " of " + shortest(summits) + " summits are plateaus of equal heights";
+    // A hundredth of the summits or more were plateaus where steps are a hundredth of second differences.
+    if (!(curvatures > least_share * least_share)) return "";
+    return "steps of " + number(step) + " m in the heights made plateaus of summits, which a form tilted";
   }
 };
 

@@ -130,6 +130,9 @@ TEST_CASE("heights in steps leave no error of what the steps change, and say whi
     const std::string doubt = doubt_of_steps(Sample(prepared(surface, {})));
     CHECK(doubt.empty() == (step < 0.01));
     if (step == 0.1) CHECK(doubt.find("steps of 0.1 m") != std::string::npos);
+    // A plane takes the ties, not the steps.
+    const std::string tilted = doubt_of_steps(Sample(prepared(surface, {.form = {.degree = 1}})));
+    CHECK((tilted.find("summit") == std::string::npos) == (step < 0.01));
     // An S-filter smooths them.
     CHECK(doubt_of_steps(Sample(prepared(surface, {.shorter = {6}}))).empty());
   }
