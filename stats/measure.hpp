@@ -48,6 +48,8 @@ Parameters measure(const Surface& surface, const MeasureOptions& options = {});
 /// with the reason in `why`; the other groups throw DataError.
 Parameters measure(const Sample& sample, Group group, const MeasureOptions& options);
 
+/// What heights in steps do to hybrid parameters, and what to do about it; "" below a hundredth.
+std::string doubt_of_steps(const Sample& sample);
 /// Why all parameters lack a value; "" if one has a value.
 std::string missing(const Parameters& parameters);
 

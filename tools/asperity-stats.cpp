@@ -65,6 +65,7 @@ class Surfaces {
   }
   void print() const {
     for (const std::string& group : missing_) tool_.warn(group);
+    if (!doubt_.empty()) tool_.warn(doubt_);
     if (fewest_) warn_of_few(tool_, *fewest_);
     if (ensemble_.surfaces() == 1) return cli::print(tool_, last_);
     cli::print(tool_, cli::ensemble_table(ensemble_));
@@ -103,6 +104,9 @@ class Surfaces {
         if (asked_.groups.size() == 1) throw DataError(field_.variable, why);
         cli::in_turn([this, why] { missing_.insert(field_.variable + ": no hybrid parameters: " + why); });
       }
+      if (group == Group::hybrid)
+        if (const std::string doubt = doubt_of_steps(sample); !doubt.empty())
+          cli::in_turn([this, doubt] { doubt_ = doubt_.empty() ? field_.variable + ": " + doubt : doubt_; });
       if (group == Group::spatial) warn_of_decays(tool_, rows, asked_.sal_level, sample.grid());
       all.insert(all.end(), rows.begin(), rows.end());
     }
@@ -137,6 +141,7 @@ class Surfaces {
   // Warnings that are given once for all surfaces.
   std::optional<EffectiveSampleSize> fewest_ = {};  ///< of the surface with the fewest independent heights
   std::set<std::string> missing_ = {};              ///< groups without values, and why
+  std::string doubt_ = {};                          ///< of heights in steps, of the first surface
 };
 
 void document(cli::Tool& tool) {
@@ -147,19 +152,22 @@ void document(cli::Tool& tool) {
   tool.accuracy(
       "Moments have twelve correct digits, even for 1 nm of roughness on an offset of 1 m. Slopes and "
       "curvatures use differences of neighbouring points: for a wave of n points per period they are low by "
-      "a fraction of 1.6/n^2 (Sdq) to 6.6/n^2 (m4). Standard errors and 95 % intervals allow for the "
-      "correlation of the heights and for a form that was removed. They were compared with the spread of "
-      "2000 simulated fields of each of eleven textures, with a correlation estimated from each field. "
-      "Stated over true errors and coverage of the intervals were 0.83 to 1.33, 87 to 100 % at N_eff of 290 "
-      "to 1230, and 0.75 to 2.13, 81 to 100 % at 33 to 140, the least and the most of all but Sku, the "
-      "slowest decay and directions. validation/RESULTS.md has each quantity. Of isotropic surfaces Sal and "
-      "Str are low, by up to 1.8 errors. A form of a high degree takes what Sal is measured from: with "
-      "forms of degree 3, 4 and 6, intervals of Sal held the true value in 91, 89 and 78 % of exponential "
-      "fields of N_eff = 577. Errors are rough below N_eff = 10, or 20 with an estimated correlation; none "
-      "are given below half of that. Intervals are open where a quantile or a length may lie beyond the "
-      "field. Effective sample sizes of a known correlation are exact, and print a dash. Where the "
-      "correlation is known, errors of the height parameters hold to first order in 1/N_eff. A dash, nan in "
-      "a pipe, marks a quantity without an interval.");
+      "a fraction of 1.6/n^2 (Sdq) to 6.6/n^2 (m4). A summit is a point or a plateau above all around it. "
+      "Heights in steps leave fewer summits, and errors of slopes, curvatures and summits are dashes where "
+      "steps matter; --lambda-s smooths them. Sk rests on the first of several flattest secants (ISO "
+      "13565-2). Standard errors and 95 % intervals allow for the correlation of the heights and for a form "
+      "that was removed. They were compared with the spread of 2000 simulated fields of each of eleven "
+      "textures, with a correlation estimated from each field. Stated over true errors and coverage of the "
+      "intervals were 0.83 to 1.33, 87 to 100 % at N_eff of 290 to 1230, and 0.75 to 2.13, 81 to 100 % at "
+      "33 to 140, the least and the most of all but Sku, the slowest decay and directions. "
+      "validation/RESULTS.md has each quantity. Of isotropic surfaces Sal and Str are low, by up to 1.8 "
+      "errors. A form of a high degree takes what Sal is measured from: with forms of degree 3, 4 and 6, "
+      "intervals of Sal held the true value in 91, 89 and 78 % of exponential fields of N_eff = 577. Errors "
+      "are rough below N_eff = 10, or 20 with an estimated correlation; none are given below half of that. "
+      "Intervals are open where a quantile or a length may lie beyond the field. Effective sample sizes of "
+      "a known correlation are exact, and print a dash. Where the correlation is known, errors of the "
+      "height parameters hold to first order in 1/N_eff. A dash, nan in a pipe, marks a quantity without an "
+      "interval.");
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ struct GapRoughness {
   double nayak_alpha = unknown;       ///< m0 m4/m2² of the isotropic surface
   double summit_deviation = unknown;  ///< σ_s [m]
   double summit_curvature = unknown;  ///< κ_s [1/m]
+  double plateaus = 0;                ///< share of the summits that are plateaus of equal heights
 };
 
 /// NaN where a ratio is not defined or what it needs is not known.

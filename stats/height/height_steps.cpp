@@ -48,6 +48,23 @@ HeightSteps height_steps(const Field& z) {
   return out;
 }
 
+void NeighbourSteps::add(const Field& z) {
+  auto add_pair = [this](double a, double b) {
+    const double difference = std::abs(a - b);
+    if (std::isnan(difference)) return;
+    ++pairs_;
+    if (difference > 0)
+      least_ = std::min(least_, difference);
+    else
+      ++equal_;
+  };
+  for (Index i = 0; i < z.rows(); ++i)
+    for (Index j = 0; j < z.cols(); ++j) {
+      if (i > 0) add_pair(z(i, j), z(i - 1, j));
+      if (j > 0) add_pair(z(i, j), z(i, j - 1));
+    }
+}
+
 Bins bins_on_steps(const HeightSteps& of, const Bins& wanted) {
   const double width = wanted.range.width() / wanted.number,
                together = std::max(1.0, std::floor(width / of.step * (1 + 1e-9))),

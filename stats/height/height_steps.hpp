@@ -13,6 +13,9 @@
 /// Cost      that of sorting the heights.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "stats/height/distribution.hpp"
 
 namespace asperity {
@@ -24,6 +27,17 @@ struct HeightSteps {
   Index steps = 0;  ///< in the range
 };
 HeightSteps height_steps(const Field& z);
+
+/// The step of heights that come in parts, from neighbours: their least difference, where one pair in a
+/// hundred or more is equal. Heights of many bits have none, and a tilt that was taken off hides it.
+class NeighbourSteps {
+ public:
+  void add(const Field& z);
+  double step() const { return equal_ > 0.01 * pairs_ && std::isfinite(least_) ? least_ : 0; }
+
+ private:
+  double equal_ = 0, pairs_ = 0, least_ = std::numeric_limits<double>::infinity();
+};
 
 struct Bins {
   int number = 1;

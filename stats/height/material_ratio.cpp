@@ -131,14 +131,14 @@ void MaterialRatioCurve::falls(Visit visit) const {
   }
 }
 
-// The ranks where the first and the last of them begin.
-std::pair<double, double> MaterialRatioCurve::flattest() const {
-  double least = std::numeric_limits<double>::infinity(), first = least, last = 0;
+// The rank where the first of them begins.
+double MaterialRatioCurve::flattest() const {
+  double least = std::numeric_limits<double>::infinity(), first = least;
   falls([&](double, double fall) { least = std::min(least, fall); });
   falls([&](double start, double fall) {
-    if (fall <= least + round_off()) first = std::min(first, start), last = std::max(last, start);
+    if (fall <= least + round_off()) first = std::min(first, start);
   });
-  return {first, last};
+  return first;
 }
 
 MaterialRatioCurve::Line MaterialRatioCurve::line_from(double start) const {
@@ -154,9 +154,7 @@ MaterialRatioCurve::Line MaterialRatioCurve::line_from(double start) const {
 }
 
 CoreParameters MaterialRatioCurve::core() const {
-  const auto [first, last] = flattest();
-  const Line one = line_from(first), other = line_from(last);
-  const double upper = 0.5 * (one.upper + other.upper), lower = 0.5 * (one.lower + other.lower);
+  const auto [upper, lower] = line_from(flattest());
   const double tiny = round_off();
   auto length = [&](double value) { return value > tiny ? value : 0; };
 

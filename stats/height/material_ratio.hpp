@@ -7,9 +7,8 @@
 /// p = 0 and p = 1, has the heights u and v there,
 ///     Sk = u - v,   Smr1 = Smr(u + 0),   Smr2 = Smr(v - 0),                                            (2)
 /// the shares of heights above u and of heights not below v: what lies at u or v belongs to the core.
-/// Where several intervals fall equally, as of heights in steps, u and v are the means of those of the first
-/// and of the last. The standard's first alone would give z and -z different Sk; heights without ties, and
-/// those whose equal intervals lie on one line, have the same u and v either way.
+/// Where several intervals fall equally, as of a sine or of heights in steps, the core is the first of them,
+/// that of the highest heights, as the standard has it: z and -z then have different Sk.
 /// Triangles of the same area on the same base replace the hills above u and the dales below v,
 ///     Spk = 2/Smr1 ∫₀^{Smr1} (c - u) dp,   Svk = 2/(1-Smr2) ∫_{Smr2}¹ (v - c) dp,                       (3)
 /// zero if the base is. Volumes per area, of material above a height and of void below it,
@@ -37,13 +36,12 @@
 /// Cost      a sort, N log N, in threads; then four passes for (2), one for (3) and (4). By runs no sort, and
 ///           a few binary searches per run for (2).
 ///
-/// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3), but for several least slopes. E. J. Abbott, F. A.
-/// Firestone, Mechanical Engineering 55 (1933) 569-572. R. R. Bahadur, A note on quantiles in large samples,
+/// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3). E. J. Abbott, F. A. Firestone,
+/// Mechanical Engineering 55 (1933) 569-572. R. R. Bahadur, A note on quantiles in large samples,
 /// Ann. Math. Statist. 37 (1966) 577-580. M. B. Wilk, R. Gnanadesikan, Probability plotting methods for the
 /// analysis of data, Biometrika 55 (1968) 1-17; A. Hazen, Trans. Am. Soc. Civ. Eng. 77 (1914) 1539-1640.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "core/field.hpp"
@@ -98,7 +96,7 @@ class MaterialRatioCurve {
   double core_span() const;  ///< 0.4 (N-1)
   template <class Visit>
   void falls(Visit visit) const;
-  std::pair<double, double> flattest() const;
+  double flattest() const;
   Line line_from(double start) const;
   template <class Visit>
   void segments(double begin, double stop, Visit visit) const;  ///< ranks

@@ -52,6 +52,7 @@ DerivativeErrors::DerivativeErrors(const Grid& grid) : grid_(grid), sums_(grid, 
 void DerivativeErrors::add(const Strip& strip, double level, int threads) {
   const NeighbourRows rows(strip, 2);
   const Index n = rows.columns();
+  const std::vector<FoundSummits> found = finder_.add(strip);
   const double dx = grid_.dx, dy = grid_.dy;
   sums_.add_rows(rows.rows(), threads, [&](Index i, LocalSums::Values& values) {
     const Row before = rows(i), here = rows(i + 1), after = rows(i + 2);
@@ -73,20 +74,19 @@ void DerivativeErrors::add(const Strip& strip, double level, int threads) {
     set(sloped, slopes);
     set_where(slopes, s20, zx.square()), set_where(slopes, s11, zx * zy), set_where(slopes, s02, zy.square());
     set_where(slopes, excess, g2 / (1 + (1 + g2).sqrt()));
-    const Row top = left(here)
-                        .max(right(here))
-                        .max(left(before).max(middle(before)).max(right(before)))
-                        .max(left(after).max(middle(after)).max(right(after)));
     // Not a number where a neighbour is missing.
-    const Row around = top + left(before) + middle(before) + right(before) + left(here) + right(here) +
+    const Row around = left(before) + middle(before) + right(before) + left(here) + right(here) +
                        left(after) + middle(after) + right(after);
     const Row all = around.isNaN().select(Row::Zero(around.size()), Row::Ones(around.size()));
     set(surrounded, all);
     set_where(all, s40, zxx.square()), set_where(all, s31, zxx * zxy), set_where(all, s22, zxx * zyy);
     set_where(all, s13, zxy * zyy), set_where(all, s04, zyy.square());
-    const Row is = all * (middle(here) > top).cast<double>();
-    set_where(all, summit, is), set_where(all, height, is * z), set_where(all, square, is * z.square());
-    set_where(all, curvature, -0.5 * is * (zxx + zyy));
+    for (const Local a : {summit, height, square, curvature}) set(a, Row(Row::Zero(n)));
+    for (const FoundSummit& s : found[size(i)]) {
+      const double h = s.height - level,
+                   c = s.points > 1 ? s.curvature : -0.5 * (zxx(s.column) + zyy(s.column));
+      values.row(s.column).segment(summit + 1, 4) += Eigen::RowVector4d(1, h, h * h, c);
+    }
   });
 }
 
@@ -99,21 +99,21 @@ double DerivativeErrors::left(const Function& parameter, double taken) const {
   });
 }
 
-std::string DerivativeErrors::too_few(double share, const char* neighbours) const {
+std::string too_few_points(const LocalMeans& means, double points, Index there, const char* neighbours) {
   constexpr double points_a_wave = 10;
-  const double points = std::round(share * sums_.count()),
-               least = points_a_wave * static_cast<double>(std::max<Index>(means_.waves(), 1));
-  if (points > least) return "";
-  return "no standard error: " + shortest(points) + (points == 1 ? " point has " : " points have ") +
-         neighbours + ", and an error needs more than " + shortest(least);
+  const double have = std::round(means([there](const Eigen::VectorXd&m) { return m(there); }) * points),
+               least = points_a_wave * static_cast<double>(std::max<Index>(means.waves(), 1));
+  if (have > least) return "";
+  return "no standard error: " + shortest(have) + (have == 1 ? " point has " : " points have ") + neighbours +
+         ", and an error needs more than " + shortest(least);
 }
 
 std::string DerivativeErrors::too_few_slopes() const {
-  return too_few(means_([](const Eigen::VectorXd& m) { return m(sloped); }), "the neighbours of a slope");
+  return too_few_points(means_, sums_.count(), sloped, "the neighbours of a slope");
 }
 
 std::string DerivativeErrors::too_few_curvatures() const {
-  return too_few(means_([](const Eigen::VectorXd& m) { return m(surrounded); }), "all eight neighbours");
+  return too_few_points(means_, sums_.count(), surrounded, "all eight neighbours");
 }
 
 double DerivativeErrors::operator()(const Function& parameter) const {

@@ -29,6 +29,10 @@ struct Derivatives {
   CountedSummits summits = {};
 };
 
+/// Why means over the points that have some neighbours have no error, of `points` in all; "" where they have
+/// one. The mean number `there` says which points have them.
+std::string too_few_points(const LocalMeans& means, double points, Index there, const char* neighbours);
+
 class DerivativeErrors {
  public:
   using Function = std::function<double(const Derivatives&)>;
@@ -48,9 +52,8 @@ class DerivativeErrors {
   double degrees() const { return means_.degrees(); }  ///< of freedom
 
  private:
-  std::string too_few(double share, const char* neighbours) const;
-
   Grid grid_;
+  SummitFinder finder_ = {};
   LocalSums sums_;
   LocalMeans means_ = {};
 };

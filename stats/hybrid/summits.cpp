@@ -9,30 +9,15 @@
 namespace asperity {
 namespace {
 
-enum Sum { neighbourhoods, heights, squares, curvatures };
-using Sums = RowSums<4>;
+enum Sum { neighbourhoods, heights, squares, curvatures, plateaus };
+using Sums = RowSums<5>;
 
-struct Neighbourhood {
-  const Row &before, &here, &after;
-
-  bool summit(Index j) const {
-    const double z = here(j);
-    return z > here(j - 1) && z > here(j + 1) && z > before(j) && z > after(j) && z > before(j - 1) &&
-           z > before(j + 1) && z > after(j - 1) && z > after(j + 1);
-  }
-  // Points of the row of which all nine are there.
-  double complete() const {
-    const Index columns = here.size() - 2;
-    if (!std::isnan((before + here + after).sum())) return static_cast<double>(columns);
-    const Row three = before + here + after;
-    return sum_of_valid(three.head(columns) + three.segment(1, columns) + three.tail(columns)).count;
-  }
-  double curvature(Index j, const Grid& grid) const {
-    const double twice = 2 * here(j);
-    return 0.5 * ((twice - before(j) - after(j)) / (grid.dx * grid.dx) +
-                  (twice - here(j - 1) - here(j + 1)) / (grid.dy * grid.dy));
-  }
-};
+// Points of the second of three rows of which all nine are there.
+double complete(const Row& three) {
+  const Index columns = three.size() - 2;
+  if (!std::isnan(three.sum())) return static_cast<double>(columns);
+  return sum_of_valid(three.head(columns) + three.segment(1, columns) + three.tail(columns)).count;
+}
 
 void add_to(ValidSum& sum, double value) {
   sum.sum += value;
@@ -43,19 +28,17 @@ void add_to(ValidSum& sum, double value) {
 
 void SummitSums::add(const Strip& strip, double level, int threads) {
   const NeighbourRows rows(strip, 2);
-  const Index columns = rows.columns();
+  const std::vector<FoundSummits> found = finder_.add(strip);
   add_rows(sums_, rows.rows(), threads, [&](Index i) {
-    const Row before = rows(i), here = rows(i + 1), after = rows(i + 2);
-    const Neighbourhood around{before, here, after};
     Sums out{};
-    out[neighbourhoods].count = around.complete();
-    for (Index j = 1; j <= columns; ++j)
-      if (around.summit(j)) {
-        const double height = here(j) - level;
-        add_to(out[heights], height);
-        add_to(out[squares], height * height);
-        add_to(out[curvatures], around.curvature(j, strip.grid));
-      }
+    out[neighbourhoods].count = complete(rows(i) + rows(i + 1) + rows(i + 2));
+    for (const FoundSummit& summit : found[size(i)]) {
+      const double height = summit.height - level;
+      add_to(out[heights], height);
+      add_to(out[squares], height * height);
+      add_to(out[curvatures], summit.curvature);
+      if (summit.points > 1) add_to(out[plateaus], summit.points);
+    }
     return out;
   });
 }
@@ -65,6 +48,8 @@ CountedSummits SummitSums::summits(const Grid& grid) const {
     throw DataError("heights", "summits need 3 x 3 points, none of them missing");
   CountedSummits out;
   out.count = sums_[heights].count;
+  out.plateaus = sums_[plateaus].count;
+  if (out.plateaus > 0) out.width = std::sqrt(mean_of(sums_[plateaus]));
   out.density = out.count / (sums_[neighbourhoods].count * grid.cell_area());
   if (out.count == 0) return out;
   out.mean_height = mean_of(sums_[heights]);

@@ -1,8 +1,9 @@
 /// Summits: counted on the grid, and expected of a Gaussian surface of the same spectral moments.
 ///
-/// Counted  A summit is higher than each of its eight neighbours. Points beside a missing point, or at the
-///          edge of a field that is not periodic, are left out, together with their area. The curvature is
-///          that of the parabolas along x and y,
+/// Counted  A summit is a point that is higher than each of its eight neighbours, or a plateau of equal
+///          points that is (stats/hybrid/summit_finder.hpp). Points beside a missing point, or at the edge of
+///          a field that is not periodic, are left out, together with their area. The curvature is that of
+///          the parabolas along x and y,
 ///              κ = -½ [(z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy²];              (1)
 ///          Greenwood and Williamson's model uses the density η, the radius R = 1/mean κ, and the standard
 ///          deviation σ_s of the heights.
@@ -18,8 +19,8 @@
 ///           (h/l)² and the mean curvature by (h/l)². (2) with finite differences is low by 7/6 (h/l)², the
 ///           curvature by 5/6 (h/l)². A ninth of independent heights are summits, whatever (2) gives
 ///           (Greenwood 1984): if counted and expected summits differ, the surface is rough at the scale of
-///           the spacing or not Gaussian. Points of equal height, as in coarsely quantised data, are no
-///           summits.
+///           the spacing or not Gaussian, or many summits are plateaus, as of heights in steps: such are
+///           fewer, and higher.
 /// Cost      one pass.
 ///
 /// J. A. Greenwood, J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300-319.
@@ -29,6 +30,7 @@
 
 #include "stats/hybrid/neighbours.hpp"
 #include "stats/hybrid/spectral_moments.hpp"
+#include "stats/hybrid/summit_finder.hpp"
 
 namespace asperity {
 
@@ -43,11 +45,15 @@ struct Summits {
 
 struct CountedSummits : Summits {
   double count = 0;
+  double plateaus = 0;  ///< among them, of two points or more
+  double width = 0;     ///< √ of the mean number of points of a plateau
 };
 
 /// The sums of a field that comes in strips, each but the last with a halo of two rows.
 class SummitSums {
  public:
+  /// Heights that round to the same multiple of `rounding` are equal.
+  SummitSums(double rounding = 0) : finder_(rounding) {}
   /// `level` is the mean of the whole field.
   void add(const Strip& strip, double level, int threads = 1);
   /// Throws DataError("heights", …) without 3 × 3 measured points. Without a summit, density and count are 0
@@ -55,7 +61,8 @@ class SummitSums {
   CountedSummits summits(const Grid& grid) const;
 
  private:
-  RowSums<4> sums_{};
+  SummitFinder finder_;
+  RowSums<5> sums_{};
 };
 
 /// (2)–(4); without second derivatives the density is 0 and the others are NaN.

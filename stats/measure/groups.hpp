@@ -72,6 +72,11 @@ Parameters quantiles(const Sample& sample, const MeasureOptions& options);
 Parameters gaussianity(const Sample& sample, const MeasureOptions&);
 Parameters material_parameters(const Sample& sample, const MeasureOptions& options);
 Parameters hybrid_parameters(const Sample& sample, const MeasureOptions& options);
+/// Of a field of one row or column; `m0` as of others.
+Parameters profile_derivatives(const Sample& sample, const Estimate& m0);
+/// What steps of the heights are of a mean square slope or second derivative; "" below a hundredth.
+std::string steps_in_slopes(double step, double share);
+std::string steps_in_curvatures(double step, double share);
 Parameters spatial_parameters(const Sample& sample, const MeasureOptions& options);
 /// Named P…, or R… after the L-filter.
 Parameters profile_averages(const Sample& sample, const MeasureOptions& options);

@@ -78,7 +78,13 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
       of.mean_error = of.spread_error = unknown;
       of.spread *= 0;
     }
-    const std::string why = "no value: no profile has this parameter", no_error = why_no_error(of);
+    const std::string why = "no value: no profile has this parameter";
+    std::string no_error = why_no_error(of);
+    const double step = sample.surface().step, spacing = axis == "x" ? sample.grid().dx : sample.grid().dy;
+    // Of heights rounded to steps s, (2) of stats/profile/profile.hpp squared is larger by 0.098 s²/Δ².
+    if (const std::string steps = steps_in_slopes(step, 0.098 * std::pow(step / spacing / of.mean, 2));
+        i == profile_dq && !steps.empty())
+      of.mean_error = of.spread_error = unknown, no_error = "no standard error: " + steps;
     const double least = i == profile_sk ? -unlimited : i == profile_ku ? 1 : 0;
     out.add(symbol, unit, meaning, with_error(of.mean, of.mean_error, static_cast<double>(of.degrees), least),
             {.why = why, .why_no_error = no_error});

@@ -71,6 +71,7 @@ Sample::Sample(const StripReader& reader, Surface surface, bool derivatives, int
   surface_.level = reader.level();
   surface_.degree = std::max(surface_.degree, reader.degree());
   surface_.largest = reader.largest();
+  surface_.step = reader.step();
 }
 
 double Sample::round_off() const {

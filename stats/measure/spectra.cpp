@@ -32,6 +32,8 @@ std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, D
   if (has_missing(surface.heights))
     judge_holes(out, profile_spectrum(spread_by_holes(psd, surface.heights), grid, axis, shared),
                 PointKind::profile);
+  if ((along_x ? grid.shape.nx : grid.shape.ny) % 2 == 0)
+    out.back().density /= 2, out.back().standard_error /= 2;
   return out;
 }
 

@@ -23,7 +23,7 @@
 
 namespace asperity {
 
-/// Of a sample that is whole.
+/// Of a sample that is whole. The wave of two points has half its density, as at either sign.
 std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, DataWindow window);
 std::vector<SpectrumPoint> radial_spectrum(const Sample& sample, DataWindows windows);
 

@@ -39,6 +39,7 @@ StripReader::StripReader(FieldParts parts, int degree, std::size_t memory)
   MeanSum sum;
   for_each_strip(0, [&](const Field& strip, Index, Index) {
     sum.add(strip);
+    steps_.add(strip);
     largest_ = std::max(largest_, strip.abs().maxCoeff<Eigen::PropagateNumbers>());
   });
   mean_ = sum.mean();

@@ -11,6 +11,7 @@
 
 #include "core/field.hpp"
 #include "stats/filter/form.hpp"
+#include "stats/height/height_steps.hpp"
 #include "stats/measure/surface.hpp"
 
 namespace asperity {
@@ -32,8 +33,9 @@ class StripReader {
   int degree() const { return degree_; }                        ///< of the form
   const std::optional<FormFit>& form() const { return form_; }  ///< none but for the mean
   double level() const { return mean_.value(); }
-  double points() const { return points_; }    ///< that are there
-  double largest() const { return largest_; }  ///< the largest absolute value, form included
+  double points() const { return points_; }      ///< that are there
+  double step() const { return steps_.step(); }  ///< that neighbours stand on
+  double largest() const { return largest_; }    ///< the largest absolute value, form included
 
   /// visit(strip, core, first): `core` rows from the field's row `first` on, then `halo` more, as in a Strip.
   template <class Visit>
@@ -59,6 +61,7 @@ class StripReader {
   int degree_;
   Index rows_, columns_;
   Mean mean_ = {};
+  NeighbourSteps steps_ = {};
   double points_ = 0, largest_ = 0;
   std::optional<FormFit> form_ = {};
 };

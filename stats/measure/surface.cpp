@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/filter/form.hpp"
+#include "stats/height/height_steps.hpp"
 #include "stats/spatial/acf.hpp"
 #include "transform/plan.hpp"
 
@@ -42,6 +43,10 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   surface.level = mean(surface.heights, *surface.ranks);
   const double size = surface.largest = largest_of(surface);
   const auto& [form, shorter, longer] = preparation;
+  if (NeighbourSteps steps; !shorter.given()) {
+    steps.add(surface.heights);
+    surface.step = steps.step();
+  }
   surface.heights = form.is_mean()
                         ? remove_mean(std::move(surface.heights), *surface.ranks)
                         : without_form(std::move(surface.heights), surface.grid, form, threads).heights;

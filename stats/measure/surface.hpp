@@ -34,6 +34,7 @@ struct Surface {
   double level = 0;    ///< the mean that was subtracted
   int degree = 0;      ///< of the form that was, now or before
   double filled = 0;   ///< share of the points that were missing and filled before
+  double step = 0;     ///< of the heights before the form was removed; 0: none, or smoothed since
   double largest = 0;  ///< of the absolute values, form included; 0: not known
   std::string variable = "heights", units = "m";
   std::optional<LagField> correlation = {};      ///< known, normalised; none: estimate it

@@ -158,6 +158,14 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
   return {dealt_again(std::move(out), transform.slabs(), rows), rows};
 }
 
+Field over_both_signs(const LagField& psd, const Grid& grid) {
+  Field out = psd.half_plane();
+  const Index last = grid.shape.nx / 2 - psd.rows().own().first;
+  if (grid.shape.nx % 2 == 0 && last >= 0 && last < out.rows()) out.row(last) /= 2;
+  if (grid.shape.ny % 2 == 0) out.leftCols(1) /= 2, out.rightCols(1) /= 2;
+  return out;
+}
+
 std::vector<SpectrumPoint> profile_spectrum(const Field& d, const Grid& grid, Axis1D axis, DataWindow window,
                                             int threads) {
   const DataWindows windows = windows_along(axis, window);

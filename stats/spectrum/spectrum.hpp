@@ -8,6 +8,8 @@
 /// them, with a window along the profile only, and likewise along y,
 ///     C1(qx) = Δx²/(Lx W) mean_j |Σ_i w d exp(-i qx x)|² = 1/Ly Σ_qy C(qx,qy)             [m³]         (3)
 ///     1/Lx Σ C1 = Sq² over all nx wave numbers, of both signs.
+/// Of an even number of points the wave of two points is its own mirror image, one wave number in place of
+/// two: the sums have it once, and tables that show both signs half of it at each (over_both_signs).
 /// The radial PSD is the mean of C over rings of a width of 2π/min(Lx,Ly) up to the smaller of π/Δx, π/Δy.
 ///
 /// A wave number midway between two rings belongs to the outer one, whatever the rounding of the spacing.
@@ -81,6 +83,10 @@ SharedPower shared_power(const Field& d, DataWindows windows);
 /// p.
 LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1,
                         const Ranks& ranks = alone());
+
+/// C with that of a wave of two points halved along either axis: the half-plane that adds up to (2) when rows
+/// p > 0 count twice and all columns once. The rows that a rank has.
+Field over_both_signs(const LagField& psd, const Grid& grid);
 
 /// Why a point of a spectrum has no error (stats/spectrum/resolution.hpp, holes.hpp).
 enum class NoError { none, form, leakage, resolution, holes };

@@ -58,7 +58,7 @@ Spread spread_of(const std::vector<double>& values) {
 }
 
 bool differs(const Parameter& p) {
-  constexpr const char* names[] = {"Sd", "m2_", "m4_", "alpha_", "summit_", "nayak_", "Pdq", "Rdq"};
+  constexpr const char* names[] = {"Sd", "m2_", "m4_", "alpha_", "summit_", "nayak_", "peak_", "Pdq", "Rdq"};
   return std::ranges::any_of(names, [&](const char* name) { return p.name.starts_with(name); });
 }
 
@@ -68,10 +68,12 @@ TwinScope::TwinScope(const Sample& sample)
     : known_(!sample.basis().estimated),
       complete_(sample.basis().pairs.complete()),
       given_(sample.surface().distribution),
-      gaussian_(!sample.distribution()) {}
+      gaussian_(!sample.distribution()),
+      stepped_(!doubt_of_steps(sample).empty()) {}
 
 bool TwinScope::holds(const Parameter& p) const {
   if (p.name.starts_with("N") || p.name.starts_with("profiles")) return false;
+  if (stepped_ && differs(p) && !p.why.empty()) return false;
   if (differs(p)) return known_ || (complete_ && gaussian_);
   const bool extreme = p.name == "Sp" || p.name == "Sv" || p.name == "Sz";
   return gaussian_ || given_ || !extreme;

@@ -50,6 +50,7 @@ class TwinScope {
 
  private:
   bool known_, complete_, given_, gaussian_;  ///< given_: the distribution of the heights
+  bool stepped_;                              ///< heights are in steps, as those of no twin
 };
 
 class TwinErrors {

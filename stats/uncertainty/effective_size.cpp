@@ -180,10 +180,14 @@ std::vector<WeightedLag> significant(const LagField& rho, const Pairs& pairs) {
   });
   lags = gathered(rho.rows().ranks(), lags);
   std::ranges::stable_sort(lags, std::greater(), [&](const WeightedLag& lag) { return score(lag, pairs); });
+  // Lags of one score, such as (0,q) and (0,-q), come in together: of the transpose they are a single one.
+  constexpr double round_off = 1e-9;
   double sum_of_squares = 0;
   auto end = lags.begin();
-  for (; end != lags.end() && score(*end, pairs) > 3 * std::sqrt(sum_of_squares / n); ++end)
-    sum_of_squares += end->weight * end->rho * end->rho;
+  while (end != lags.end() && score(*end, pairs) > 3 * std::sqrt(sum_of_squares / n))
+    for (const double z = (1 - round_off) * score(*end, pairs); end != lags.end() && score(*end, pairs) >= z;
+         ++end)
+      sum_of_squares += end->weight * end->rho * end->rho;
   lags.erase(end, lags.end());
   std::ranges::sort(lags, in_order);
   return lags;

@@ -18,10 +18,10 @@
 /// S_2 itself. Lags are therefore admitted in the order of |ρ| as long as the next exceeds three standard
 /// errors,
 ///      √(S_2/pairs)
-/// with S_2 of those admitted; 0.3 % of the noise passes. S_k, k ≥ 3, are summed over these. S_1 and S_2
-/// depend more on the tail and are summed over the K lags within twice the admitted reach (h such that h or
-/// h/2 is admitted), with what the form of M modes took put back and the noise S_2/N of each square
-/// subtracted:
+/// with S_2 of those admitted, lags of one |ρ| together; 0.3 % of the noise passes. S_k, k ≥ 3, are summed
+/// over these. S_1 and S_2 depend more on the tail and are summed over the K lags within twice the admitted
+/// reach (h such that h or h/2 is admitted), with what the form of M modes took put back and the noise S_2/N
+/// of each square subtracted:
 ///     w = M/N Σ v B ρ / (1 - M/N Σ v B²),     S_1 = Σ v (ρ + w B),                                    (6)
 ///     S_2 = Σ v [(ρ + b B)/(1 + b)]² / (1 + K/N),     v the weights of (2).                           (7)
 /// The lags beyond lower S_1 and w by about the fraction 15 S_2/N and S_2 by 10 S_2/N, measured values

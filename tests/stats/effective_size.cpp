@@ -173,3 +173,22 @@ TEST_CASE("of a field of nine points lag zero is admitted", "[effective-size][ex
   CHECK(significant_lags(acf, g)(0, 0) == 1);
   CHECK(EffectiveSampleSize::of_estimate(acf, g).effective(2) <= 9);
 }
+
+// Sums of at most 54 lags in another order, and transforms of the same heights, whose values of ρ differ by ε.
+TEST_CASE("a map, its transpose and its mirror image are worth the same number of points",
+          "[effective-size][law]") {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Shape shape{3 + static_cast<Index>(seed % 4), 3 + static_cast<Index>(seed / 4 % 7)};
+    const Grid g{shape, 1, 1, seed % 3 == 0}, turned{{shape.ny, shape.nx}, 1, 1, seed % 3 == 0};
+    const Field z = moving_average(shape, {2, 2}, seed);
+    auto worth = [](const Field& heights, const Grid& grid) {
+      const LagField acf =
+          estimate_autocorrelation(heights - heights.mean(), grid, {.max_lag = longest_lags(grid)});
+      return EffectiveSampleSize::of_estimate(acf, grid, FormModes(grid, 0)).effective(2);
+    };
+    CAPTURE(seed, shape.nx, shape.ny);
+    CHECK(relative_error(worth(z.transpose(), turned), worth(z, g)) <= 1e-12);
+    CHECK(relative_error(worth(z.rowwise().reverse(), g), worth(z, g)) <= 1e-12);
+    CHECK(relative_error(worth(z.colwise().reverse(), g), worth(z, g)) <= 1e-12);
+  }
+}

@@ -87,3 +87,53 @@ TEST_CASE("m0 has the error and the interval of Sq", "[measure][law]") {
   CHECK(relative_error(of_m0.low, of_sq.low * of_sq.low) <= 4 * epsilon);
   CHECK(relative_error(of_m0.high, of_sq.high * of_sq.high) <= 4 * epsilon);
 }
+
+// A wave of 3 periods on 60 points, crests on points: differences are 2 sin(u/2) of the amplitude. Sums of 60
+// terms, fourth powers of them.
+TEST_CASE("a profile has the slope, the curvature and the peaks of its wave, along x as along y",
+          "[measure][exact]") {
+  const double h = 2e-6, a = 3e-7, u = 2 * std::numbers::pi / 20, slope = 2 * std::sin(u / 2) / h;
+  Field z =
+      Field::NullaryExpr(60, 1, [&](Index i, Index) { return a * std::cos(u * static_cast<double>(i)); });
+  for (const std::string axis : {"x", "y"}) {
+    const Parameters all = measure({{shape_of(z), h, h, true}, z}, {.groups = {Group::hybrid}});
+    const double m2 = a * a / 2 * slope * slope;
+    CHECK(relative_error(named(all, "m0").value, a * a / 2) <= 1e-13);
+    CHECK(relative_error(named(all, "m2_" + axis).value, m2) <= 1e-12);
+    CHECK(relative_error(named(all, "m4_" + axis).value, m2 * slope * slope) <= 1e-12);
+    CHECK(relative_error(named(all, "alpha_" + axis).value, 1) <= 1e-12);
+    CHECK(relative_error(named(all, "peak_density").value, 3 / (60 * h)) <= 1e-12);
+    CHECK(relative_error(named(all, "peak_height").value, a) <= 1e-12);
+    CHECK(relative_error(named(all, "peak_curvature").value, a * slope * slope) <= 1e-12);
+    z.transposeInPlace();
+  }
+  Field steps(1, 9);
+  steps << 0, 1, 1, 0, 2, NAN, 3, 1, 1;  // the point beside the missing one and the end are left out
+  const Parameters some = measure({{shape_of(steps), h, h, false}, h * steps}, {.groups = {Group::hybrid}});
+  CHECK(relative_error(named(some, "peak_density").value, 1 / (4 * h)) <= 1e-12);
+  CHECK(relative_error(named(some, "peak_curvature").value, 2 / (h * (1 + 1.5))) <= 1e-12);
+}
+
+TEST_CASE("heights in steps leave no error of what the steps change, and say which step",
+          "[measure][contract]") {
+  const Field z = gaussian_acf_field({128, 128}, 8, 406);
+  const Grid g = grid(128, 128, true);
+  for (const double step : {0.0, 1e-4, 0.01, 0.1}) {
+    const Surface surface{g, step > 0 ? Field((z / step).round() * step) : z};
+    const Parameters all = measure(surface, {.groups = {Group::hybrid}});
+    auto has_error = [&](const char* name) { return std::isfinite(named(all, name).standard_error); };
+    CAPTURE(step);
+    CHECK(has_error("m2_x") == (step < 0.1));
+    CHECK(has_error("Sdq") == (step < 0.1));
+    CHECK(has_error("nayak_radius") == (step < 0.01));
+    CHECK(has_error("summit_density") == (step < 0.01));
+    const std::string doubt = doubt_of_steps(Sample(prepared(surface, {})));
+    CHECK(doubt.empty() == (step < 0.01));
+    if (step == 0.1) CHECK(doubt.find("steps of 0.1 m") != std::string::npos);
+    // A plane takes the ties, not the steps.
+    const std::string tilted = doubt_of_steps(Sample(prepared(surface, {.form = {.degree = 1}})));
+    CHECK((tilted.find("summit") == std::string::npos) == (step < 0.01));
+    // An S-filter smooths them.
+    CHECK(doubt_of_steps(Sample(prepared(surface, {.shorter = {6}}))).empty());
+  }
+}

@@ -3,6 +3,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "fields.hpp"
+#include "stats/measure/spectra.hpp"
 #include "stats/spatial/acf.hpp"
 
 using namespace asperity;
@@ -50,6 +51,31 @@ TEST_CASE("the PSD adds up to the mean square of the windowed heights, odd or ev
         windowed += std::pow(hann_at(i, shape.nx) * hann_at(j, shape.ny) * z(i, j), 2);
     windowed /= 2.25 * static_cast<double>(shape.cells());  // W = 3/2 for each axis
     CHECK(relative_error(sum_over_plane(power_spectrum(z, g, hann), g) / area, windowed) <= 40 * epsilon);
+  }
+}
+
+// Of the tables that users add up; with a full density at both signs the board alone gives four times Sq².
+TEST_CASE("tables of wave numbers of both signs add up to Sq squared, of a chessboard too",
+          "[spectrum][exact]") {
+  for (Shape shape :
+       {Shape{8, 8}, Shape{8, 7}, Shape{7, 8}, Shape{7, 9}, Shape{1, 8}, Shape{8, 1}, Shape{2, 6}}) {
+    const Grid g = metres(shape.nx, shape.ny);
+    const Field board = Field::NullaryExpr(shape.nx, shape.ny, [](Index i, Index j) { return (i + j) % 2; });
+    for (const Field& heights : {board, random_field(shape, 96)}) {
+      const Field z = heights - heights.mean(), half = over_both_signs(power_spectrum(z, g, plain), g);
+      const double square = z.square().mean(),
+                   sum = half.row(0).sum() + 2 * half.bottomRows(half.rows() - 1).sum();
+      CAPTURE(shape.nx, shape.ny);
+      CHECK(relative_error(sum / (g.size_x() * g.size_y()), square) <= 40 * epsilon);
+      const Sample sample({.grid = g, .heights = z}, false);
+      for (const auto& [axis, length] :
+           {std::pair{Axis1D::x, g.size_x()}, std::pair{Axis1D::y, g.size_y()}}) {
+        const auto points = profile_spectrum(sample, axis, DataWindow::none);
+        double total = -points.front().density;
+        for (const SpectrumPoint& point : points) total += 2 * point.density;
+        CHECK(relative_error(total / length, square) <= 40 * epsilon);
+      }
+    }
   }
 }
 

@@ -1,5 +1,8 @@
 #include "stats/hybrid/summits.hpp"
 
+#include <array>
+#include <map>
+
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "whole.hpp"
@@ -29,6 +32,111 @@ TEST_CASE("an egg crate of k x l periods has 2 k l summits of height 1 and the c
   CHECK(counted_summits(z, open).count < summits.count);  // a row and a column of crests lie on the edge
   CHECK(counted_summits(sine({20, 20}, 1, 2), grid(20, 20)).count == 0);  // ridges are not summits
   CHECK_THROWS_AS(counted_summits(random_field({2, 9}, 1), grid(2, 9)), DataError);
+}
+
+namespace {
+
+// Floods the plateau of a point on the plane of all periods, and counts it at its first point.
+class Flood {
+ public:
+  Flood(const Field& z, bool periodic) : z_(z), periodic_(periodic) {}
+
+  bool summit(Index i, Index j) {
+    places_.clear();
+    bool lower = false;
+    std::vector<std::array<Index, 2>> open{{i, j}};
+    places_[{i, j}] = {i, j};
+    while (!open.empty()) {
+      const auto [x, y] = open.back();
+      open.pop_back();
+      for (Index k = 0; k < 9; ++k) {
+        const std::array<Index, 2> beside{x + k / 3 - 1, y + k % 3 - 1}, at = folded(beside);
+        if (k == 4) continue;
+        if (!periodic_ && at != beside) return false;
+        const double other = z_(at[0], at[1]), own = z_(i, j);
+        if (std::isnan(own) || !(other <= own)) return false;
+        lower |= other < own;
+        if (other < own) continue;
+        const auto [place, fresh] = places_.try_emplace(at, beside);
+        if (!fresh && place->second != beside) return false;  // a ridge meets itself
+        if (fresh) open.push_back(beside);
+      }
+    }
+    return lower && places_.begin()->first == std::array<Index, 2>{i, j};
+  }
+
+ private:
+  std::array<Index, 2> folded(const std::array<Index, 2>& p) const {
+    const Index nx = z_.rows(), ny = z_.cols();
+    return {(p[0] % nx + nx) % nx, (p[1] % ny + ny) % ny};
+  }
+  const Field& z_;
+  bool periodic_;
+  std::map<std::array<Index, 2>, std::array<Index, 2>> places_ = {};
+};
+
+// In steps, some points missing, along one axis constant now and then.
+Field stepped_field(Shape shape, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  Field z =
+      moving_average(shape, {1 + static_cast<Index>(seed % 3), 1 + static_cast<Index>(seed / 3 % 3)}, seed);
+  z = (z * (1 + seed % 4)).round();
+  if (seed % 5 == 0) z = z.col(0).replicate(1, shape.ny).eval();
+  if (seed % 4 == 0)
+    for (Index k = 0; k < z.size(); ++k)
+      if (generator() % 12 == 0) z(k) = NAN;
+  return z;
+}
+
+}  // namespace
+
+TEST_CASE("summits of heights in steps are the plateaus above all around them, in strips as a whole",
+          "[summits][exact]") {
+  for (unsigned seed = 0; seed < 240; ++seed) {
+    const Shape shape{1 + static_cast<Index>(seed * 7 % 19), 1 + static_cast<Index>(seed * 11 % 17)};
+    const bool periodic = seed % 2 == 0;
+    const Grid g{shape, 0.5, 0.7, periodic};
+    if (!periodic && std::min(shape.nx, shape.ny) < 3) continue;
+    const Field z = stepped_field(shape, seed);
+    double expected = 0;
+    Flood flood(z, periodic);
+    for (Index i = 0; i < shape.nx; ++i)
+      for (Index j = 0; j < shape.ny; ++j) expected += flood.summit(i, j);
+    SummitSums whole, strips;
+    whole.add(Strip::whole(z, g), 0);
+    for (Index first = 0; first < shape.nx; first += 4) {
+      const Index core = std::min<Index>(4, shape.nx - first),
+                  rows = periodic ? core + 2 : std::min(core + 2, shape.nx - first);
+      const Field part =
+          Field::NullaryExpr(rows, shape.ny, [&](Index i, Index j) { return z((first + i) % shape.nx, j); });
+      if (shape.nx > 4) strips.add({part, g, core}, 0);
+    }
+    CAPTURE(seed, shape.nx, shape.ny, periodic);
+    try {
+      const CountedSummits counted = whole.summits(g);
+      CHECK(counted.count == expected);
+      if (shape.nx > 4) CHECK(strips.summits(g).count == expected);
+      if (shape.nx > 4 && counted.count > 0)
+        CHECK(relative_error(strips.summits(g).mean_curvature, counted.mean_curvature) <= 1e-13);
+    } catch (const DataError&) {  // no point has all its neighbours
+      CHECK(expected == 0);
+    }
+  }
+}
+
+// The same 764 summits with and without steps: of three fields the ratios of the numbers varied by 0.5 %, of
+// the curvatures by 2 %, three times of which is the margin. Means of second differences alone have 1.29 and
+// 1.65 times the curvature.
+TEST_CASE("steps of 0.05 and 0.1 Sq at l = 8 points leave 92 and 87 % of the summits, and their curvature",
+          "[summits][statistics]") {
+  const Field z = gaussian_acf_field({512, 512}, 8, 1);
+  const Grid g = grid(512, 512, true);
+  const CountedSummits exact = counted_summits(z, g);
+  for (const auto& [step, count, curvature] : {std::array{0.05, 0.92, 1.02}, std::array{0.1, 0.87, 1.12}}) {
+    const CountedSummits s = counted_summits((z / step).round() * step, g);
+    CHECK(s.count / exact.count == Approx(count).margin(0.02));
+    CHECK(s.mean_curvature / exact.mean_curvature == Approx(curvature).margin(0.06));
+  }
 }
 
 // One of nine equals is the highest; its height is the mean of the largest of nine normal numbers. 1e6

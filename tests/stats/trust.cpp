@@ -134,7 +134,11 @@ TEST_CASE("a group that cannot be had leaves the others, and is refused where it
   CHECK((all["Sdq"].contains("standard_error") && all["m2_x"].contains("standard_error")));
   CHECK((all["m2_y"]["value"] == 0 && !all["m2_y"].contains("standard_error")));
 
-  write_dataset(surface({{1, 90}, 1e-5, 1e-5, false}, 1e-6 * moving_average({1, 90}, {1, 3}, 4)), "row.nc");
+  Dataset narrow = surface({{2, 90}, 1e-5, 1e-5, false}, 1e-6 * moving_average({2, 90}, {1, 3}, 4));
+  std::vector<std::int8_t> mask(180, 0);
+  std::fill(mask.begin() + 90, mask.end(), std::int8_t{1});
+  set_flags(narrow, "mask", mask, "missing points", "present missing");
+  write_dataset(narrow, "row.nc");
   const Outcome row = shell("asperity-stats row.nc --parameters all --json");
   CHECK(row.exit == 0);
   CHECK_THAT(row.error, ContainsSubstring("no hybrid parameters") && ContainsSubstring("2 x 2"));

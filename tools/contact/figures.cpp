@@ -58,7 +58,7 @@ void add_patches(Figures& out, const Grid& grid, const Contact& c) {
 
 }  // namespace
 
-GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads) {
+GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads, double largest) {
   GapRoughness out;
   const Strip whole = Strip::whole(rough_gap, grid);
   const double mean = rough_gap.mean();
@@ -71,9 +71,11 @@ GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads)
     out.nayak_alpha = spectral.moments(grid).isotropic().bandwidth();
   });
   if_possible([&] {
-    SummitSums summits;
+    constexpr double round_off = 1e-10;  // of values that cancelled, and far more
+    SummitSums summits(round_off * largest);
     summits.add(whole, mean, threads);
-    const Summits counted = summits.summits(grid);
+    const CountedSummits counted = summits.summits(grid);
+    if (counted.count > 0) out.plateaus = counted.plateaus / counted.count;
     out.summit_deviation = counted.height_deviation;
     out.summit_curvature = counted.mean_curvature;
   });

@@ -18,8 +18,9 @@ struct Figure {
 };
 using Figures = std::vector<Figure>;
 
-/// Of the rough gap [m]: what its size and shape do not allow is unknown.
-GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads);
+/// Of the rough gap [m], a difference of values up to `largest`: what its size and shape do not allow is
+/// unknown.
+GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads, double largest = 0);
 
 /// The requested figures that are defined in the scene: the same ones for each load.
 Figures figures(const ContactScene& scene, const ContactOptions& options, const Contact& contact,

@@ -83,6 +83,13 @@ Doubt doubt(const Seam& seam, Periodic periodic, bool in_x) {
 
 std::vector<Doubt> doubts(const ContactScene& scene) {
   std::vector<Doubt> out = doubts(scene.growth);
+  if (constexpr double told = 0.01; scene.roughness.plateaus > told)
+    out.push_back(
+        {"has summits that are plateaus",
+         fmt::format("{:.2g} % of the summits are plateaus of equal heights, as of heights in coarse steps: "
+                     "nayak_alpha and plasticity_index are in doubt; smooth the steps first (asperity-filter "
+                     "--lambda-s)",
+                     100 * scene.roughness.plateaus)});
   for (const bool in_x : {true, false})
     if (const Seam& seam = scene.seams[in_x ? 0 : 1]; seam.jumps())
       out.push_back(doubt(seam, scene.grid.periodic, in_x));

@@ -196,9 +196,11 @@ void learn_from_gap(ContactScene& scene, const ContactOptions& o, bool spends_ga
   scene.data.find("x")->attributes.set("periodic", scene.grid.periodic.x ? 1 : 0);
   scene.data.find("y")->attributes.set("periodic", scene.grid.periodic.y ? 1 : 0);
   const bool rough = !o.smooth || !o.counter.empty();
-  if (o.adds("contact_ratios"))
+  if (o.adds("contact_ratios")) {
+    const Field smooth = undeformed_gap(scene.grid, o.bodies);
     scene.roughness =
-        roughness_of(undeformed_gap(scene.grid, o.bodies) - scene.gap, scene.grid, o.contact.threads);
+        roughness_of(smooth - scene.gap, scene.grid, o.contact.threads, smooth.abs().maxCoeff());
+  }
   if (rough) scene.seams = seams(scene.gap, scene.grid.periodic);
   scene.growth =
       rough ? slope_growth(spends_gap ? std::move(scene.gap) : scene.gap, scene.grid, o.contact.threads)
