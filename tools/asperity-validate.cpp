@@ -119,12 +119,16 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
                   {"verdict", ""}},
                  {}};
   const double level = significance / static_cast<double>(results.size());
+  constexpr std::size_t p = 6;  // the column
+  const auto most = std::ranges::min_element(results, {}, &TestResult::p);
   for (const TestResult& c : results) {
+    if (c.p_is_bound) out.bounds.insert({out.rows.size(), p});
     const std::string lag = "(" + std::to_string(c.lag_x) + "," + std::to_string(c.lag_y) + ")";
     out.rows.push_back({c.quantity == "ACF" ? "ACF" + lag : c.quantity, c.quantity == "Sq" ? "m" : "1",
                         c.prescribed, c.mean, c.standard_error, c.z, c.p, verdict(c.p, level)});
   }
   const double joint = joint_p(results);
+  if (most->p_is_bound && joint < 1) out.bounds.insert({out.rows.size(), p});
   out.rows.push_back({"all", "1", NAN, NAN, NAN, NAN, joint, verdict(joint, significance)});
   return out;
 }
@@ -181,7 +185,7 @@ int main(int argc, char** argv) {
     options.surfaces.for_each(tool, [&](cli::EnsembleMember&& member) {
       grids.add(tool, grid_of(member.data), member.name);
       cli::in_turn([&, data = std::move(member.data), name = std::move(member.name)] {
-        if (!test) test = test_for(tool, options, data, progress);
+        if (!test) test = test_for(tool, options, data, progress), tool.reads(name);
         tool.detail(name);
         test->add(field_of(data, options.variable, "m", Missing::not_a_number), grid_of(data));
       });

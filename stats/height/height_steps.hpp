@@ -13,7 +13,10 @@
 /// Cost      that of sorting the heights.
 #pragma once
 
+#include <vector>
+
 #include "stats/height/distribution.hpp"
+#include "stats/height/order.hpp"
 
 namespace asperity {
 
@@ -23,7 +26,10 @@ struct HeightSteps {
   double step = 0;  ///< 0 where they stand on none
   Index steps = 0;  ///< in the range
 };
-HeightSteps height_steps(const Field& z);
+/// Of runs of equal heights, or of bins of few, ascending.
+HeightSteps height_steps(const std::vector<HeightBin>& runs);
+std::vector<HeightBin> runs_of_equal(const Field& z);
+inline HeightSteps height_steps(const Field& z) { return height_steps(runs_of_equal(z)); }
 
 struct Bins {
   int number = 1;
