@@ -153,7 +153,7 @@ void document(cli::Tool& tool) {
       "0.7 instead 94 %, of Gaussian ones all. The means are corrected for the bias that subtracting "
       "each field's own mean and dividing by its own Sq causes. At least 5 independent points per "
       "surface are needed. Sq of surfaces drawn with --exact-rq always agrees. Lags up to a quarter of "
-      "the field are compared.");
+      "the field are compared. Heights that stand on steps are tested as before they were rounded.");
 }
 
 }  // namespace

@@ -105,7 +105,8 @@ TEST_CASE("a periodic profile has the autocorrelation of its model along it, wit
 TEST_CASE("a text with all lags of a period is met to round-off, in any order, as half plane or quadrant",
           "[periodic][exact]") {
   auto R = [](Index p, Index q) {
-    return std::exp(-0.3 * std::hypot(p, q)) + 0.6 * std::cos(M_PI * static_cast<double>(p) / 4);
+    return std::exp(-0.3 * static_cast<double>(std::abs(p) + std::abs(q))) +
+           0.6 * std::cos(M_PI * static_cast<double>(p) / 4);
   };
   for (const Shape period : {Shape{16, 12}, Shape{16, 9}, Shape{16, 1}})
     for (const bool quadrant : {false, true}) {
@@ -122,7 +123,7 @@ TEST_CASE("a text with all lags of a period is met to round-off, in any order, a
       const Field drawn = drawn_from(read_dataset("s.nc"), period) / 1e-12;
       for (Index p = 0; p < drawn.rows(); ++p)
         for (Index q = 0; q <= period.ny / 2; ++q)
-          CHECK(std::abs(drawn(p, period.ny / 2 + q) / R(0, 0) - R(p, q) / R(0, 0)) <= 1e-12);
+          CHECK(std::abs(drawn(p, period.ny / 2 + q) - R(p, q) / R(0, 0)) <= 1e-12);
     }
 }
 
