@@ -47,6 +47,12 @@ Parameters measure(const Surface& surface, const MeasureOptions& options = {});
 /// One group of a prepared surface. If the field is not a length or is too small, hybrid parameters are NaN
 /// with the reason in `why`; the other groups throw DataError.
 Parameters measure(const Sample& sample, Group group, const MeasureOptions& options);
+/// White noise of this rms height in place of the heights of a flat surface.
+Sample stand_in(Surface flat, double rms = 1, bool derivatives = false);
+/// Of a FlatSurface: the limits for heights c w, c → 0, w the stand-in's. A parameter that grows with c is 0;
+/// others, and those of summits, of which there is none, have no value, but for the mean and the numbers of
+/// points and profiles.
+Parameters measure_flat(const Surface& flat, Group group, const MeasureOptions& options);
 
 /// What heights in steps do to hybrid parameters, and what to do about it; "" below a hundredth.
 std::string doubt_of_steps(const Sample& sample);

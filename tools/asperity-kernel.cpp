@@ -44,15 +44,16 @@ void declare(cli::Tool& tool, Options& o) {
 // Without --shape that of the table's own period; a table of another is one as of any surface.
 void adopt_period(Options& o, cli::KernelProblem& problem) {
   if (o.shape == Shape{} && !problem.period)
-    throw cli::UsageError("shape", "is required by --periodic: the table is not one of a whole period");
+    throw cli::UsageError("shape", "is required by --periodic: the table does not tell a whole period");
   if (o.shape == Shape{}) o.shape = *problem.period;
   if (problem.period != o.shape) problem.period.reset();
+  problem.narrow(o.shape);
 }
 
 void wrap(const cli::Tool& tool, cli::KernelSolution& solution, Shape period) {
   cli::KernelTables tables = cli::kernel_of(solution.data);
-  solution.code = std::max(solution.code, cli::wrap_kernel(tool, solution.data, tables, period,
-                                                           static_cast<double>(tool.memory())));
+  cli::wrap_kernel(tool, solution, tables, period);
+  if (std::min(period.nx, period.ny) == 1) tables.period = period;  // it has no correlation across
   cli::set_kernel(solution.data, tables);
 }
 
@@ -79,8 +80,10 @@ int main(int argc, char** argv) {
     cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, known, o.periodic ? o.shape : Shape{});
     if (o.periodic) adopt_period(o, problem);
     cli::foresee(tool, problem, sized || o.periodic ? o.shape : Shape{}, true);
+    if (o.periodic) problem.wrap(tool, o.shape);
     cli::KernelSolution solution = cli::solve(tool, std::move(problem));
     if (o.periodic) wrap(tool, solution, o.shape);
+    if (!solution.change.empty()) tool.warn(solution.change);
     solution.before.tell(tool, solution.data, "kernel");
     tool.write(solution.data);
     return solution.code;

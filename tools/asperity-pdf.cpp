@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "stats/height/distribution.hpp"
+#include "stats/height/height_steps.hpp"
 #include "stats/height/kernel_density.hpp"
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
@@ -121,6 +122,7 @@ class Distribution {
 
   cli::Table table(const Dataset& data) {
     const Counted counted = read(data);
+    alone_ = true;
     if (needs_range()) values_.add(Values::of(counted));
     return std::visit([&](const auto& of) { return table_of(of); }, counted);
   }
@@ -154,7 +156,12 @@ class Distribution {
     if (what_.estimate == "kernel")
       return cli::density_of(of, bandwidth_for(what_, values_), what_.points ? what_.points : 256,
                              values_.range);
-    if (what_.estimate == "histogram") return cli::histogram_of(of, bins_for(what_, values_), values_.range);
+    if (what_.estimate == "histogram") {
+      Bins bins{bins_for(what_, values_), values_.range};
+      const HeightSteps steps = what_.bins || !alone_ ? HeightSteps{} : height_steps(surface.heights);
+      if (steps.step > 0) bins = bins_on_steps(steps, bins);
+      return cli::histogram_of(of, bins.number, bins.range);
+    }
     return cli::quantiles_of(of, what_.points ? what_.points : 99);
   }
 
@@ -173,6 +180,7 @@ class Distribution {
   const cli::FieldOptions& field_;
   const Options& what_;
   Values values_ = {};
+  bool alone_ = false;
   std::optional<cli::EnsembleTable> mean_ = {};
 };
 

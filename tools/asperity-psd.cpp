@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
+#include "stats/measure.hpp"
 #include "stats/measure/spectra.hpp"
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
@@ -102,18 +103,24 @@ void describe(Dataset& data, const Surface& surface, const DataWindows& windows)
 
 cli::Table table(const cli::Tool& tool, const Options& what, Surface surface) {
   const DataWindows windows = what.windows(surface.grid);
-  const Sample sample(std::move(surface), false, tool.thread_count());
-  return what.result.result == "profiles" ? profiles(sample, windows) : radial(sample, windows);
+  const bool flat = surface.flat;
+  const Sample sample = flat ? stand_in(surface) : Sample(std::move(surface), false, tool.thread_count());
+  cli::Table out = what.result.result == "profiles" ? profiles(sample, windows) : radial(sample, windows);
+  const auto psd = static_cast<std::size_t>(std::ranges::find(out.columns, "psd", &cli::Column::name) -
+                                            out.columns.begin());
+  for (auto& row : out.rows)
+    if (flat) row[psd] = 0.0, row[psd + 1] = row[psd + 2] = row[psd + 3] = NAN, row[psd + 4] = "flat";
+  return out;
 }
 
 // One surface: its dataset or table, with errors by theory. Tables are the first rank's work: their errors
 // need the whole field.
 void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
   if (!what.result.dataset()) {
-    if (tool.speaks()) cli::print(tool, table(tool, what, field.read(tool, data, alone())));
+    if (tool.speaks()) cli::print(tool, table(tool, what, field.read_flat(tool, data, alone())));
     return;
   }
-  const Surface surface = field.read(tool, data);
+  const Surface surface = field.read_flat(tool, data, tool.ranks());
   const DataWindows windows = what.windows(surface.grid);
   const LagField psd =
       power_spectrum(surface.heights, surface.grid, windows, tool.thread_count(), *surface.ranks);
@@ -137,7 +144,7 @@ class Surfaces {
 
   void add(const cli::EnsembleMember& member) {
     tool_.detail(member.name);
-    Surface surface = field_.read(tool_, member.data);
+    Surface surface = field_.read_flat(tool_, member.data, tool_.ranks());
     grids_.add(tool_, surface.grid, member.name, surface.units);
     Field heights = std::move(surface.heights);
     cli::in_turn([this, surface] {
@@ -214,7 +221,8 @@ void declare(cli::Tool& tool, Options& what) {
       "seen on simulated fields of eleven textures at wave numbers 2 to 40, were 0.83 to 1.25, 91 to 99 % "
       "at N_eff of 290 to 1230, 0.88 to 1.24, 91 to 99 % at 33 to 140, and 0.84 to 1.41, 88 to 99 % at 8 to "
       "35. A density without an error says why in the column no_error: form, one of the longest waves, "
-      "which the removed mean or form took; leakage, a tenth of it or more may come from other waves "
+      "which the removed mean or form took; flat, all heights are the same; leakage, a tenth of it or more "
+      "may come from other waves "
       "through the window (three tenths without one); resolution, the window smooths the spectrum there by "
       "more than half an error; holes, missing points spread other waves there: fill them first "
       "(asperity-filter --fill). A single wave number of the dataset is uncertain by its own value "

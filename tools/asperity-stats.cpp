@@ -42,7 +42,8 @@ class Surfaces {
     if (const auto part = cli::counted_cells(data, field_.variable)) tool_.note(part->told_of_all());
     grids_.add(tool_, grid_of(data), name, si_unit_of(data.at(field_.variable)));
     const bool alike = twins_are_quick(grid_of(data), asked_);  // they need the whole field
-    Surface surface = field_.read(tool_, data, alike ? asperity::alone() : tool_.ranks());
+    Surface surface = field_.read_flat(tool_, data, alike ? asperity::alone() : tool_.ranks());
+    if (surface.flat) return add_flat(surface);
     if (surface.ranks->count() > 1 && surface.degree > 0)
       throw DataError(field_.variable, "errors above the form that was removed need the whole field, which " +
                                            std::to_string(surface.ranks->count()) +
@@ -118,6 +119,16 @@ class Surfaces {
     });
   }
 
+  void add_flat(const Surface& flat) {
+    Parameters all;
+    for (const Group group : asked_.groups)
+      for (Parameter& row : measure_flat(flat, group, asked_)) all.push_back(std::move(row));
+    cli::in_turn([this, all = std::move(all)] {
+      ensemble_.add(all);
+      last_ = all;
+    });
+  }
+
   // As asked for by --errors.
   void settle_errors(const Sample& sample, bool alone, Parameters& all) const {
     if (errors_ == "none")
@@ -167,7 +178,9 @@ void document(cli::Tool& tool) {
       "Intervals are open where a quantile or a length may lie beyond the field. Effective sample sizes of "
       "a known correlation are exact, and print a dash. Where the correlation is known, errors of the "
       "height parameters hold to first order in 1/N_eff. A dash, nan in a pipe, marks a quantity without an "
-      "interval.");
+      "interval. Of a flat surface what grows with the heights is 0, and the rest is unknown. Tests of "
+      "heights "
+      "that stand on steps, as of an instrument, judge between the steps.");
 }
 
 }  // namespace

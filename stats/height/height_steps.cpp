@@ -10,26 +10,38 @@ constexpr double same = 1e-6, most_steps = 1e5;  // of the range
 constexpr double near = 50;                      // steps that a first estimate counts well
 constexpr double off = 0.1;                      // of a step
 
-std::vector<double> different(const Field& z) {
+// Runs apart by more than the least difference are different values.
+std::vector<double> different(const std::vector<HeightBin>& runs) {
   std::vector<double> out;
-  for (const double v : z.reshaped<Eigen::RowMajor>())
-    if (std::isfinite(v)) out.push_back(v);
-  std::ranges::sort(out);
-  if (out.empty()) return out;
-  const double least = same * (out.back() - out.front());
-  std::size_t last = 0;
-  for (const double v : out)
-    if (v - out[last] > least) out[++last] = v;
-  out.resize(last + 1);
+  if (runs.empty()) return out;
+  const double least = same * (runs.back().highest - runs.front().lowest);
+  auto add = [&](double height) {
+    if (out.empty() || height - out.back() > least) out.push_back(height);
+  };
+  for (const HeightBin& run : runs) add(run.lowest), add(run.highest);
   return out;
 }
 
 }  // namespace
 
-HeightSteps height_steps(const Field& z) {
-  const std::vector<double> values = different(z);
+std::vector<HeightBin> runs_of_equal(const Field& z) {
+  std::vector<double> sorted(z.data(), z.data() + z.size());
+  std::erase_if(sorted, [](double height) { return !std::isfinite(height); });
+  std::ranges::sort(sorted);
+  std::vector<HeightBin> out;
+  for (const double height : sorted)
+    if (!out.empty() && out.back().highest == height)
+      ++out.back().count;
+    else
+      out.push_back({1, height, height});
+  return out;
+}
+
+HeightSteps height_steps(const std::vector<HeightBin>& runs) {
+  const std::vector<double> values = different(runs);
   HeightSteps out{.values = std::ssize(values), .lowest = values.empty() ? NAN : values.front()};
-  const double points = static_cast<double>(z.isFinite().count());
+  double points = 0;
+  for (const HeightBin& run : runs) points += run.count;
   if (values.size() < 2 || static_cast<double>(values.size()) > 0.5 * points) return out;
   std::vector<double> gaps;
   for (std::size_t k = 1; k < values.size(); ++k) gaps.push_back(values[k] - values[k - 1]);

@@ -15,8 +15,10 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "stats/height/distribution.hpp"
+#include "stats/height/order.hpp"
 
 namespace asperity {
 
@@ -26,7 +28,10 @@ struct HeightSteps {
   double step = 0;  ///< 0 where they stand on none
   Index steps = 0;  ///< in the range
 };
-HeightSteps height_steps(const Field& z);
+/// Of runs of equal heights, or of bins of few, ascending.
+HeightSteps height_steps(const std::vector<HeightBin>& runs);
+std::vector<HeightBin> runs_of_equal(const Field& z);
+inline HeightSteps height_steps(const Field& z) { return height_steps(runs_of_equal(z)); }
 
 /// The step of heights that come in parts, from neighbours: their least difference, where one pair in a
 /// hundred or more is equal. Heights of many bits have none, and a tilt that was taken off hides it.

@@ -19,16 +19,6 @@ constexpr Index supremum_nodes = 97, integral_nodes = 193;
 
 Eigen::ArrayXd line(Index nodes) { return Eigen::ArrayXd::LinSpaced(nodes, -reach, reach); }
 
-int bins_for(const EffectiveSampleSize& size) {
-  const double effective = size.points() / std::max(size.sum(3), 1.0);
-  return static_cast<int>(std::clamp(2 * std::pow(effective, 0.4), 6.0, 64.0));
-}
-
-EffectiveSampleSize independent(const EffectiveSampleSize& size) {
-  const Grid grid{{static_cast<Index>(size.points()), 1}, 1, 1, false};
-  return EffectiveSampleSize(LagField(Field::Ones(1, 1)), grid);
-}
-
 std::vector<double> sorted(const Field& z, const Moments& moments) {
   std::vector<double> x(z.data(), z.data() + z.size());
   if (has_missing(z)) std::erase_if(x, [](double height) { return std::isnan(height); });
@@ -149,6 +139,20 @@ double GaussianityTest::NullDistributions::jarque_bera_p(double statistic) const
   return degrees == 1 ? std::erfc(std::sqrt(statistic / 2)) : std::exp(-statistic / 2);
 }
 
+std::array<GoodnessOfFit, 4> goodness_of_fit_tests() {
+  return {{{"Jarque-Bera"}, {"Kolmogorov-Smirnov"}, {"Anderson-Darling"}, {"Pearson chi-squared"}}};
+}
+
+int GaussianityTest::bins_for(const EffectiveSampleSize& size) {
+  const double effective = size.points() / std::max(size.sum(3), 1.0);
+  return static_cast<int>(std::clamp(2 * std::pow(effective, 0.4), 6.0, 64.0));
+}
+
+EffectiveSampleSize GaussianityTest::independent(const EffectiveSampleSize& size) {
+  const Grid grid{{static_cast<Index>(size.points()), 1}, 1, 1, false};
+  return EffectiveSampleSize(LagField(Field::Ones(1, 1)), grid);
+}
+
 GaussianityTest::GaussianityTest(const EffectiveSampleSize& size)
     : bins_(bins_for(size)), correlated_(size, bins_), independent_(independent(size), bins_) {}
 
@@ -156,15 +160,20 @@ std::array<GoodnessOfFit, 4> GaussianityTest::judge(double n, const auto& for_ea
                                                     const Moments& moments) const {
   const double jb = correlated_.jarque_bera(moments), ks = kolmogorov_smirnov(n, for_each_run),
                ad = anderson_darling(n, for_each_run), chi = pearson(n, for_each_run, bins_);
-  return {{
-      {"Jarque-Bera", jb, correlated_.jarque_bera_p(jb),
-       independent_.jarque_bera_p(independent_.jarque_bera(moments))},
-      {"Kolmogorov-Smirnov", ks, correlated_.supremum.exceedance(ks), independent_.supremum.exceedance(ks)},
-      {"Anderson-Darling", ad, weighted_chi_squared_exceedance(correlated_.anderson_darling, ad),
-       weighted_chi_squared_exceedance(independent_.anderson_darling, ad)},
-      {"Pearson chi-squared", chi, weighted_chi_squared_exceedance(correlated_.pearson, chi),
-       weighted_chi_squared_exceedance(independent_.pearson, chi)},
-  }};
+  std::array<GoodnessOfFit, 4> out = goodness_of_fit_tests();
+  auto set = [](GoodnessOfFit& fit, double statistic, double p, double naive) {
+    fit.statistic = statistic, fit.p = p, fit.naive_p = naive;
+  };
+  set(out[0], jb, correlated_.jarque_bera_p(jb),
+      independent_.jarque_bera_p(independent_.jarque_bera(moments)));
+  set(out[1], ks, correlated_.supremum.exceedance(ks), independent_.supremum.exceedance(ks));
+  out[1].p_is_bound = out[1].p <= NullDistribution::least;
+  out[1].naive_p_is_bound = out[1].naive_p <= NullDistribution::least;
+  set(out[2], ad, weighted_chi_squared_exceedance(correlated_.anderson_darling, ad),
+      weighted_chi_squared_exceedance(independent_.anderson_darling, ad));
+  set(out[3], chi, weighted_chi_squared_exceedance(correlated_.pearson, chi),
+      weighted_chi_squared_exceedance(independent_.pearson, chi));
+  return out;
 }
 
 std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const Field& z, const Moments& moments) const {

@@ -34,6 +34,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -51,16 +52,23 @@ Eigen::ArrayXd pearson_weights(const EffectiveSampleSize& size, int bins);
 
 struct GoodnessOfFit {
   std::string_view test;
-  double statistic = 0;  ///< (1)–(4)
-  double p = 0;          ///< for a Gaussian field of this correlation
-  double naive_p = 0;    ///< for independent heights
+  double statistic = 0;                               ///< (1)–(4)
+  double p = 0;                                       ///< for a Gaussian field of this correlation
+  double naive_p = 0;                                 ///< for independent heights
+  bool p_is_bound = false, naive_p_is_bound = false;  ///< the least that the simulation tells; p is below
+  std::string why = {};                               ///< why there is no p
 };
+/// The names of the tests in their order.
+std::array<GoodnessOfFit, 4> goodness_of_fit_tests();
 
 class GaussianityTest {
  public:
   explicit GaussianityTest(const EffectiveSampleSize& size);
 
   int bins() const { return bins_; }
+  static int bins_for(const EffectiveSampleSize& size);
+  /// So many independent heights.
+  static EffectiveSampleSize independent(const EffectiveSampleSize& size);
   /// The tests in the order (1)–(4); `moments` are those of z. Missing points are left out.
   std::array<GoodnessOfFit, 4> operator()(const Field& z, const Moments& moments) const;
   /// Of a field that came in strips.

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "marginal/prescribed.hpp"
+#include "stats/hypothesis/stepped.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/spatial/acf.hpp"
@@ -65,6 +66,11 @@ Index stride(Index lags, Index most) { return (lags + most - 1) / most; }
 // R(h) at the lags that are tested needs no others.
 Shape longest_lag(const LagField& rho, const Grid& grid) {
   return {std::min(rho.max_p(), grid.shape.nx / 4), std::min(rho.max_q(), grid.shape.ny / 4)};
+}
+
+LagField without_rounding_at_zero(const LagField& acf, double step) {
+  return LagField::of(
+      acf.max_lag(), [&](Index p, Index q) { return acf(p, q) - (p == 0 && q == 0 ? step * step / 12 : 0); });
 }
 
 void check(const Specification& asked) {
@@ -165,10 +171,14 @@ SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const
 }
 
 Eigen::ArrayXd SpecificationTest::measured(const Field& z, const Pairs& pairs, const Theory& theory,
-                                           int threads) const {
-  const Moments m = moments(z);
-  const LagField acf = estimate_autocorrelation(
+                                           int threads, double step) const {
+  const Moments rounded = moments(z), m = step > 0 ? before_rounding(rounded, step) : rounded;
+  if (!(m.sq > 0))
+    throw DataError("heights", "they stand on steps of " + in_digits(step / rounded.sq, 3) +
+                                   " Sq, which are too coarse for the tests");
+  LagField acf = estimate_autocorrelation(
       z, pairs, {.max_lag = longest_lag(asked_.correlation, grid_), .threads = threads});
+  if (step > 0) acf = without_rounding_at_zero(acf, step);
   const double w = theory.mean_powers(1), variance = acf(0, 0) / (1 - w);
   const Index shapes = theory.shape_variances.size();
   Eigen::ArrayXd values(3 + shapes);
@@ -186,7 +196,7 @@ void SpecificationTest::add(const Field& z, const Grid& grid) {
     throw DataError("heights", "the grid differs from that of the first surface");
   const Pairs pairs = Pairs::of(z, grid_, asked_.threads);
   const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
-  const Eigen::ArrayXd values = measured(z, pairs, theory, asked_.threads);
+  const Eigen::ArrayXd values = measured(z, pairs, theory, asked_.threads, height_steps(z).step);
   ++surfaces_;
   if (simulation_) {
     observed_.push_back(shaped(values));
@@ -237,6 +247,7 @@ TestResult SpecificationTest::largest_result(const Together& of, Index first) co
   if (largest < 0) return out;
   const double bound = -std::expm1(static_cast<double>(n) * std::log1p(-two_sided(largest)));  // Šidák's
   out.p = std::min(bound, of.largest.exceedance(largest));
+  out.p_is_bound = out.p == NullDistribution::least;
   return out;
 }
 

@@ -99,6 +99,7 @@ struct TestResult {
   double standard_error = 0;  ///< of the mean
   double z = 0;               ///< (mean - prescribed)/standard_error
   double p = 0;               ///< of this quantity alone; of all lags of the ACF, of all stretches of lengths
+  bool p_is_bound = false;    ///< the least that the simulation tells; p is below
   Index lag_x = 0, lag_y = 0;  ///< for the ACF: lag of the largest deviation [samples]
 };
 
@@ -108,7 +109,8 @@ class SpecificationTest {
   /// if the correlation is too long for the field.
   SpecificationTest(const Specification& asked, const Grid& grid);
 
-  /// Throws DataError("heights", …) if the grid differs from the first.
+  /// Throws DataError("heights", …) if the grid differs from the first, or if heights stand on steps of more
+  /// than 1.25 Sq.
   void add(const Field& z, const Grid& grid);
   int surfaces() const { return surfaces_; }
   int lags() const { return static_cast<int>(lags_.size()); }
@@ -153,8 +155,10 @@ class SpecificationTest {
   Theory theory_of(const Pairs& pairs) const;
   /// The mean S_k/N over the surfaces.
   double mean_power(Index k) const { return total_.mean_powers(k) / surfaces_; }
-  /// Sq²/(1 - w), Ssk, Sku, e and the stretches; NaN if there are too few pairs.
-  Eigen::ArrayXd measured(const Field& z, const Pairs& pairs, const Theory& theory, int threads) const;
+  /// Sq²/(1 - w), Ssk, Sku, e and the stretches; NaN if there are too few pairs. Of heights that stand on
+  /// steps, those before they were rounded (stats/hypothesis/stepped.hpp).
+  Eigen::ArrayXd measured(const Field& z, const Pairs& pairs, const Theory& theory, int threads,
+                          double step = 0) const;
   /// The same with e and stretches over Sq²/(1 - w).
   Eigen::ArrayXd shaped(Eigen::ArrayXd measured) const;
   void count_missing(const Field& z);

@@ -21,15 +21,16 @@ void EnsembleParameters::add(const Parameters& parameters) {
     auto known = std::ranges::find(quantities_, parameter.name, &Quantity::name);
     if (known == quantities_.end()) known = quantities_.insert(known, {parameter.name, parameter.unit});
     known->values.add(summed(parameter));
+    known->is_bound |= parameter.is_bound;
   }
 }
 
 std::vector<EnsembleParameter> EnsembleParameters::all() const {
   std::vector<EnsembleParameter> out;
-  for (const auto& [name, unit, values] : quantities_) {
+  for (const auto& [name, unit, values, is_bound] : quantities_) {
     const Eigen::Array3d m = values.mean();
     const double n = values.count()(1);
-    EnsembleParameter of{name, unit, m(1), values.spread()(1), std::sqrt(m(0)), n};
+    EnsembleParameter of{name, unit, m(1), values.spread()(1), std::sqrt(m(0)), n, is_bound};
     if (unit == "rad") {
       const double length = std::min(std::hypot(m(1), m(2)), 1.0);
       of.mean = std::atan2(m(2), m(1)) / 2;

@@ -20,6 +20,7 @@ namespace asperity {
 struct EnsembleParameter {
   std::string name, unit;
   double mean, spread, expected_spread, surfaces;
+  bool is_bound = false;  ///< of the mean, where a value is one
 
   double standard_error() const { return spread / std::sqrt(surfaces); }
 };
@@ -36,6 +37,7 @@ class EnsembleParameters {
   struct Quantity {
     std::string name, unit;
     Ensemble values = {};
+    bool is_bound = false;
   };
 
   std::vector<Quantity> quantities_;

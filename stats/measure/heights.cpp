@@ -166,11 +166,17 @@ constexpr Definition<VolumeParameters> volume_table[] = {
 
 // ---- tests ----
 
+template <auto value, auto bound>
+Estimate p_value(const GoodnessOfFit& fit) {
+  return {.value = fit.*value, .is_bound = fit.*bound};
+}
+
 constexpr Definition<GoodnessOfFit> test_table[] = {
     {"{}", "1", "{}, statistic", value_of<&GoodnessOfFit::statistic>},
-    {"{}_p", "1", "{}, p-value for a Gaussian field of this correlation", value_of<&GoodnessOfFit::p>},
+    {"{}_p", "1", "{}, p-value for a Gaussian field of this correlation",
+     p_value<&GoodnessOfFit::p, &GoodnessOfFit::p_is_bound>},
     {"{}_naive_p", "1", "{}, p-value if the heights were independent, for comparison",
-     value_of<&GoodnessOfFit::naive_p>}};
+     p_value<&GoodnessOfFit::naive_p, &GoodnessOfFit::naive_p_is_bound>}};
 
 }  // namespace
 
@@ -210,12 +216,14 @@ Parameters quantiles(const Sample& sample, const MeasureOptions& options) {
 
 Parameters gaussianity(const Sample& sample, const MeasureOptions&) {
   constexpr std::array symbols{"JB", "KS", "A2", "chi2"};
-  const std::string why = "no p-value can be given: " + too_few(sample.size());
   auto fits = sample.goodness_of_fit();
   ParameterList out(sample.surface().units);
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    if (!sample.size().gives_errors()) fits[i].p = unknown;
-    out.add(test_table, fits[i], {symbols[i], std::string(fits[i].test), why});
+    if (!sample.size().gives_errors()) {
+      fits[i].p = unknown, fits[i].p_is_bound = false;
+      if (fits[i].why.empty()) fits[i].why = "no p-value can be given: " + too_few(sample.size());
+    }
+    out.add(test_table, fits[i], {symbols[i], std::string(fits[i].test), fits[i].why});
   }
   return std::move(out).all();
 }

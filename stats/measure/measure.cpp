@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "math/noise.hpp"
 #include "stats/measure/groups.hpp"
 
 namespace asperity {
@@ -34,6 +35,35 @@ Parameters measure(const Sample& sample, Group group, const MeasureOptions& opti
   return groups.at(static_cast<std::size_t>(group))(sample, options);
 }
 
+Sample stand_in(Surface flat, double rms, bool derivatives) {
+  std::vector<double> row(static_cast<std::size_t>(flat.grid.shape.ny));
+  WhiteNoise noise(1);
+  for (Index i = 0; i < flat.grid.shape.nx; ++i) {
+    noise.row(i, row);
+    flat.heights.row(i) += rms * Eigen::Map<const Eigen::ArrayXd>(row.data(), std::ssize(row)).transpose();
+  }
+  flat.correlation.reset(), flat.distribution.reset();
+  const ErrorBasis basis{LagField(Field::Ones(1, 1)), false, Pairs::of(flat.heights, flat.grid)};
+  return {std::move(flat), basis, basis.size(), derivatives};
+}
+
+Parameters measure_flat(const Surface& flat, Group group, const MeasureOptions& options) {
+  const bool derivatives = group == Group::hybrid;
+  Parameters out = measure(stand_in(flat, 1, derivatives), group, options);
+  const Parameters twice = measure(stand_in(flat, 2, derivatives), group, options);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    Parameter& p = out[i];
+    p.standard_error = unknown, p.interval.reset(), p.is_bound = false;
+    if (!std::isfinite(p.value)) continue;
+    p.why.clear();
+    if (p.name == "mean" || p.name == "N" || p.name == "N_missing" || p.name == "profiles") continue;
+    const bool of_summits = p.name.starts_with("summit_") || p.name.starts_with("nayak_");
+    p.value = !of_summits && std::abs(twice[i].value) > std::abs(p.value) ? 0 : unknown;
+    if (std::isnan(p.value)) p.why = "no value: the surface is flat";
+  }
+  return out;
+}
+
 std::string missing(const Parameters& parameters) {
   const bool any = std::ranges::any_of(parameters, [](const auto& p) { return std::isfinite(p.value); });
   return parameters.empty() || any ? "" : parameters.front().why;
@@ -50,7 +80,8 @@ void ParameterList::add(std::string_view symbol, std::string_view unit, std::str
                          .why = !estimate.why.empty()                 ? estimate.why
                                 : !std::isfinite(estimate.value)      ? words.why
                                 : std::isnan(estimate.standard_error) ? words.why_no_error
-                                                                      : ""});
+                                                                      : "",
+                         .is_bound = estimate.is_bound});
 }
 
 Parameters ParameterList::with_known_errors(const EffectiveSampleSize& size) && {

@@ -21,6 +21,7 @@ struct Estimate {
   double standard_error = unknown;
   std::optional<Interval> interval = {};
   std::string why = {};  ///< why the value or its error is missing, where it is not why others are
+  bool is_bound = false;
 };
 
 struct Parameter {
@@ -33,6 +34,7 @@ struct Parameter {
   std::optional<Interval> interval = {};
   std::string why = {};     ///< why the value or its error is missing
   std::string source = {};  ///< of the error, "60 twins"; "" where theory gives it
+  bool is_bound = false;    ///< the quantity is below the value, the least that its simulation tells
 
   Interval interval_95() const {
     if (!std::isfinite(standard_error)) return {};

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "stats/height/height_steps.hpp"
+#include "stats/hypothesis/stepped.hpp"
 #include "stats/spatial/strip_acf.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 
@@ -161,8 +163,16 @@ MaterialRatioCurve Sample::material_ratio() const {
 }
 
 std::array<GoodnessOfFit, 4> Sample::goodness_of_fit() const {
+  const std::vector<HeightBin> runs = reader_ ? bins() : runs_of_equal(surface_.heights);
+  if (const HeightSteps steps = height_steps(runs); steps.step > 0) {
+    const bool lost = basis().estimated && before_rounding(moments(), steps.step).sq > 0;
+    return gaussianity_of_steps(
+        runs, moments(), steps,
+        lost ? basis().size(before_rounding(basis().correlation.normalised(), moments(), steps.step))
+             : size_);
+  }
   const GaussianityTest test(size_);
-  return reader_ ? test(bins(), moments()) : test(surface_.heights, moments());
+  return reader_ ? test(runs, moments()) : test(surface_.heights, moments());
 }
 
 ProfileAverages Sample::profiles(Axis1D along, double section) const {

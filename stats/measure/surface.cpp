@@ -38,6 +38,12 @@ Field waves_beyond(Surface& surface, const char* name, const Cutoff& cutoff, int
 
 }  // namespace
 
+FlatSurface::FlatSurface(const DataError& why, Surface of) : DataError(why) {
+  of.heights = of.heights.isNaN().select(of.heights, 0).eval();
+  of.flat = true;
+  surface = std::make_shared<const Surface>(std::move(of));
+}
+
 Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   check_shape(surface);
   surface.level = mean(surface.heights, *surface.ranks);
@@ -60,7 +66,11 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
     surface.heights -= mean(surface.heights);
     surface.correlation.reset(), surface.distribution.reset();
   }
-  refuse_round_off(largest_of(surface), size, form, surface.variable);
+  try {
+    refuse_round_off(largest_of(surface), size, form, surface.variable);
+  } catch (const DataError& flat) {
+    throw FlatSurface(flat, std::move(surface));
+  }
   return surface;
 }
 

@@ -6,10 +6,12 @@
 /// and otherwise on an estimate.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/field.hpp"
 #include "marginal/translation.hpp"
 #include "stats/filter/preparation.hpp"
@@ -40,12 +42,20 @@ struct Surface {
   std::optional<LagField> correlation = {};      ///< known, normalised; none: estimate it
   std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
   std::vector<std::string> doubts = {};          ///< of filters that have not converged
+  bool flat = false;                             ///< FlatSurface's: all heights are 0
   const Ranks* ranks = &alone();  ///< that have some rows of the heights each, none of them missing
 };
 
+/// Of heights that are all the same, or differ by round-off.
+class FlatSurface : public DataError {
+ public:
+  FlatSurface(const DataError& why, Surface of);
+  std::shared_ptr<const Surface> surface;  ///< with 0 in place of round-off
+};
+
 /// Throws ParameterError("remove-form"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
-/// DataError(variable) where the field is not of the grid's shape, and where only rounding remains
-/// (refuse_round_off). Of several ranks, the form is the mean, without filters.
+/// DataError(variable) where the field is not of the grid's shape, and FlatSurface where only rounding
+/// remains (refuse_round_off). Of several ranks, the form is the mean, without filters.
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 
 /// The longest lags at which errors, tests and simulated surfaces ask for a known correlation: those of a

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 
@@ -42,7 +43,9 @@ Moments MomentSums::moments(std::string_view variable) const {
     throw DataError(std::string(variable), "every value is the same: skewness and kurtosis are undefined");
   if (!(variance * variance >= std::numeric_limits<double>::min() && std::isfinite(fourth)))
     throw DataError(std::string(variable),
-                    "a value is infinite, or its fourth power exceeds the range of a double");
+                    "heights up to " + shortest(std::max(sums_.highest, -sums_.lowest)) +
+                        " from the mean: infinite, or with fourth powers beyond the range of a double; give "
+                        "them in another unit");
   return {.mean = mean_.value(),
           .sa = sums_.absolute / n,
           .sq = std::sqrt(variance),

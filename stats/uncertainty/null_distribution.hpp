@@ -36,6 +36,7 @@ namespace asperity {
 class NullDistribution {
  public:
   static constexpr int draws = 8192;
+  static constexpr double least = 1.0 / (draws + 1);  ///< the p-value of what exceeds all draws: p is below
   /// A function of g and of further independent Gaussians.
   using Statistic = std::function<double(const Eigen::VectorXd&, std::span<const double>)>;
 

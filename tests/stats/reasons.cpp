@@ -100,3 +100,35 @@ TEST_CASE("below the least N_eff every row says so, and m0 needs no second deriv
   CHECK(relative_error(named(of_four, "m0").value, 1.25) <= 4 * epsilon);
   CHECK_THAT(named(of_four, "m2_x").why, ContainsSubstring("3 x 3"));
 }
+
+// Sa … Sz were refused, though they are 0; a profile and a field with holes too.
+TEST_CASE(
+    "parameters of a flat surface are 0 where they grow with the heights, else they say why they are not",
+    "[reasons][exact]") {
+  for (const Shape shape : {Shape{24, 20}, Shape{40, 1}}) {
+    Field z = Field::Constant(shape.nx, shape.ny, 3e-7);
+    z(3, 0) = none;
+    z(5, 0) += 1e-22;  // round-off
+    std::optional<FlatSurface> flat;
+    try {
+      prepared({.grid = grid(shape.nx, shape.ny), .heights = z}, {});
+    } catch (const FlatSurface& e) {
+      flat = e;
+    }
+    REQUIRE(flat);
+    const Parameters heights = measure_flat(*flat->surface, Group::height, {}),
+                     profile = measure_flat(*flat->surface, Group::material, {});
+    for (const char* name : {"Sa", "Sq", "Sp", "Sv", "Sz"}) CHECK(named(heights, name).value == 0);
+    CHECK(std::abs(named(heights, "mean").value - 3e-7) <= 1e-20);
+    CHECK(named(heights, "N").value == static_cast<double>(shape.cells() - 1));
+    for (const char* name : {"Ssk", "Sku", "N_eff"}) {
+      CHECK(std::isnan(named(heights, name).value));
+      CHECK_THAT(named(heights, name).note(), ContainsSubstring("the surface is flat"));
+    }
+    CHECK(named(profile, "Sk").value == 0);
+    CHECK(std::isnan(named(profile, "Smr1").value));
+    if (shape.ny == 1) continue;
+    CHECK(named(measure_flat(*flat->surface, Group::hybrid, {}), "Sdq").value == 0);
+    CHECK(std::isnan(named(measure_flat(*flat->surface, Group::spatial, {}), "Sal").value));
+  }
+}

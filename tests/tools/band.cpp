@@ -213,5 +213,5 @@ TEST_CASE("a cut-off or a roll-off that makes no sense is refused in one line th
   refused(draw + "--periodic --model self-affine --cutoff 4px", 2, "is required");
   refused(
       "asperity-generate --periodic --size 64um,1um --rq 1um --seed 1 --shape 64x1 --length 9px --cutoff 4px",
-      2, "above the shorter side of the surface, 1px");
+      2, "--cutoff: 4px: needs a surface: the waves of 64x1 points run along one axis");
 }

@@ -1,6 +1,8 @@
 // Surfaces drawn with --periodic whose correlation reaches around them, and twins of periodic surfaces.
 #include "acf/periodic.hpp"
 
+#include <iomanip>
+
 #include "dataset/layout.hpp"
 #include "support.hpp"
 #include "tools/files.hpp"
@@ -77,6 +79,52 @@ TEST_CASE("surfaces that their correlation reaches around have the rms height as
     CHECK(error <= 0.08);
     CHECK(std::abs(mean - 1) <= 4 * error);
   }
+}
+
+// 2048 × 1 took a kernel of 16 × 10⁶ lags, and had the sum of the target over periods of one sample across.
+// R(p) of exp(-|p| ln 10/20) is its own sum: at 1024 lags 1e-51 are left of it.
+TEST_CASE("a periodic profile has the autocorrelation of its model along it, without a square problem",
+          "[periodic][exact]") {
+  for (const std::string shape : {"2048x1", "1x2047"}) {
+    succeeded(draw + "--shape " + shape + " --size 1mm,1mm --length 20px --seed 1 -o s.nc");
+    const Dataset data = read_dataset("s.nc");
+    const Field achieved = table_of(data, "acf_achieved") / 1e-12;
+    REQUIRE(shape_of(achieved) == (shape == "2048x1" ? Shape{1025, 1} : Shape{1, 2047}));
+    for (Index lag = 0; lag < 100; ++lag) {
+      const double found = achieved.rows() > 1 ? achieved(lag, 0) : achieved(0, 1023 + lag);
+      CHECK(std::abs(found - std::pow(10, -static_cast<double>(lag) / 20)) <= 1e-5);
+    }
+  }
+  CHECK(shell(draw + "--shape 4096x1 --size 1mm,1mm --model self-affine --rolloff 1024px --seed 1 --memory "
+                     "200MB -o s.nc")
+            .exit == 0);
+}
+
+// A text cannot tell its period, and its lags were those of any surface, summed over the periods: here the
+// wave of 8 samples would have the variance of all of them. The dataset of the same table gives the same bits.
+TEST_CASE("a text with all lags of a period is met to round-off, in any order, as half plane or quadrant",
+          "[periodic][exact]") {
+  auto R = [](Index p, Index q) {
+    return std::exp(-0.3 * static_cast<double>(std::abs(p) + std::abs(q))) +
+           0.6 * std::cos(M_PI * static_cast<double>(p) / 4);
+  };
+  for (const Shape period : {Shape{16, 12}, Shape{16, 9}, Shape{16, 1}})
+    for (const bool quadrant : {false, true}) {
+      std::ofstream text(scratch("lags.txt"));
+      text << "# acf [nm2] lag_y [nm] lag_x [nm]\n" << std::setprecision(17);
+      for (Index q = period.ny / 2; q >= (quadrant ? 0 : -(period.ny / 2)); --q)
+        for (Index p = 0; p <= period.nx / 2; ++p)
+          text << R(p, q) << " " << 1000 * q << " " << 1000 * p << "\n";
+      text.close();
+      CAPTURE(period.nx, period.ny, quadrant);
+      succeeded(draw + "--acf lags.txt --shape " + std::to_string(period.nx) + "x" +
+                std::to_string(period.ny) + " --size 16um," + std::to_string(period.ny) +
+                "um --seed 1 -o s.nc");
+      const Field drawn = drawn_from(read_dataset("s.nc"), period) / 1e-12;
+      for (Index p = 0; p < drawn.rows(); ++p)
+        for (Index q = 0; q <= period.ny / 2; ++q)
+          CHECK(std::abs(drawn(p, period.ny / 2 + q) - R(p, q) / R(0, 0)) <= 1e-12);
+    }
 }
 
 // Within 1e-9 of the variance: the products of Newton's kernel meet the sums of the dataset to round-off;

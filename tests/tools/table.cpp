@@ -53,6 +53,22 @@ TEST_CASE("a table as JSON keeps values, units and order", "[table][exact]") {
   CHECK(json.begin().key() == "lag");
 }
 
+// A p-value that no simulated surface reached is below the least that 8192 of them tell.
+TEST_CASE("a value that a quantity is below is no value: \"<\" in a table, a bound in JSON",
+          "[table][contract]") {
+  asperity::Parameters q{{"KS_p", 0.0001220703125, "1", std::nan(""), "p-value"}};
+  q[0].is_bound = true;
+  CHECK_THAT(table_of(q).tsv(), ContainsSubstring("KS_p\t<0.0001220703125\t"));
+  CHECK_THAT(aligned(q, 80), ContainsSubstring("< 122.1e-6"));
+  CHECK(nlohmann::json::parse(json_of(q))["KS_p"]["bound"] == true);
+  Table bounded = table;
+  bounded.bounds.insert({1, 1});
+  CHECK_THAT(bounded.tsv(), ContainsSubstring("\t<-0.5\t"));
+  CHECK_THAT(aligned(bounded, 80), ContainsSubstring("< -0.5"));
+  CHECK(nlohmann::json::parse(bounded.json())["acf"]["bounds"] == std::vector<bool>{false, true});
+  CHECK_FALSE(nlohmann::json::parse(table.json())["acf"].contains("bounds"));
+}
+
 TEST_CASE("what is not finite is null in JSON, for JSON has no word for it", "[table][contract]") {
   const asperity::Parameters q{{"Rq", std::nan(""), "m", std::nan(""), "rms height"}};
   const auto json = nlohmann::json::parse(json_of(q));

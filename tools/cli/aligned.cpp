@@ -104,7 +104,8 @@ Shown numbers_in(const Table& table, std::size_t column, const Unit& unit) {
   for (const auto& row : table.rows) numbers.push_back(std::get<double>(row[column]) / unit.factor);
   const Digits digits(numbers);
   Shown out{one_line(unit.label(table.columns[column].name)), {}, Side::right};
-  for (const double x : numbers) out.texts.push_back(digits.text(x));
+  for (std::size_t r = 0; r < numbers.size(); ++r)
+    out.texts.push_back((table.is_bound(r, column) ? "< " : "") + digits.text(numbers[r]));
   return out;
 }
 
@@ -193,7 +194,7 @@ struct Readings {
     const Measurement m = readable(row);
     const Interval ends = row.interval_95();
     names.push_back(one_line(row.name));
-    values.push_back(number_in(m.scale, row.value));
+    values.push_back((row.is_bound ? "< " : "") + number_in(m.scale, row.value));
     units.push_back(one_line(m.scale.unit.name));
     const bool known = !m.error.empty(), below = known && std::isfinite(ends.low),
                above = known && std::isfinite(ends.high);

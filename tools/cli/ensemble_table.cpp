@@ -37,8 +37,10 @@ Table ensemble_table(const EnsembleParameters& parameters) {
              {"expected_spread", "SI", Holds::unknown},
              {"surfaces", "1"}},
             {}};
-  for (const EnsembleParameter& p : parameters.all())
+  for (const EnsembleParameter& p : parameters.all()) {
+    if (p.is_bound) out.bounds.insert({out.rows.size(), 2});
     out.rows.push_back({p.name, p.unit, p.mean, p.standard_error(), p.spread, p.expected_spread, p.surfaces});
+  }
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "tools/cli/table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ranges>
 #include <unistd.h>
@@ -54,8 +55,9 @@ void put(const Tool& tool, const Rows& rows, const Json& json, const Tsv& tsv) {
 
 std::string Table::tsv() const {
   std::string out = fmt::format("# {}\n", fmt::join(columns | std::views::transform(heading), "\t"));
-  for (const auto& row : rows)
-    out += fmt::format("{}\n", fmt::join(row | std::views::transform(cell_text), "\t"));
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      out += (is_bound(r, c) ? "<" : "") + cell_text(rows[r][c]) + (c + 1 < columns.size() ? "\t" : "\n");
   return out;
 }
 
@@ -64,7 +66,10 @@ std::string Table::json() const {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     Json values = Json::array();
     for (const auto& row : rows) values.push_back(json_of(row[c]));
-    object[utf8_of(columns[c].name)] = {{"unit", utf8_of(columns[c].unit)}, {"values", std::move(values)}};
+    Json& column = object[utf8_of(columns[c].name)];
+    column = {{"unit", utf8_of(columns[c].unit)}, {"values", std::move(values)}};
+    if (std::ranges::any_of(bounds, [c](const auto& at) { return at[1] == c; }))
+      for (std::size_t r = 0; r < rows.size(); ++r) column["bounds"].push_back(is_bound(r, c));
   }
   return object.dump(2) + "\n";
 }
@@ -82,6 +87,7 @@ Table table_of(const Parameters& parameters) {
     const Interval ends = row.interval_95();
     const double error = std::isfinite(row.standard_error) ? row.standard_error : NAN;
     const std::string note = row.note(), meaning = note.empty() ? row.meaning : row.meaning + "; " + note;
+    if (row.is_bound) out.bounds.insert({out.rows.size(), 1});
     out.rows.push_back({row.name, row.value, error, ends.low, ends.high, row.unit, meaning});
   }
   return out;
@@ -92,6 +98,7 @@ std::string json_of(const Parameters& parameters) {
   for (const Parameter& row : parameters) {
     Json entry{{"value", json_of(row.value)}, {"unit", utf8_of(row.unit)}};
     const Interval ends = row.interval_95();
+    if (row.is_bound) entry["bound"] = true;
     if (std::isfinite(row.standard_error)) entry["standard_error"] = row.standard_error;
     if (ends.known()) entry["interval_95"] = {json_of(ends.low), json_of(ends.high)};
     entry["meaning"] = utf8_of(row.meaning);

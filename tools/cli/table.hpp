@@ -1,11 +1,13 @@
 /// Tables on stdout: aligned on a terminal (cli/aligned.hpp), tab-separated with a # header line in a pipe,
 /// or one JSON object.
 ///
-/// In a pipe numbers have the shortest form that reads back to the same double; nan is an unknown value, and
-/// an infinite end of an interval is open. Words from files are fit for a line (core/words.hpp); in JSON they
-/// are whole.
+/// In a pipe numbers have the shortest form that reads back to the same double; nan is an unknown value, an
+/// infinite end of an interval is open, and "<" precedes a bound. Words from files are fit for a line
+/// (core/words.hpp); in JSON they are whole.
 #pragma once
 
+#include <array>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,14 +36,16 @@ struct Column {
 struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
+  std::set<std::array<std::size_t, 2>> bounds = {};  ///< row and column of numbers that are bounds
 
+  bool is_bound(std::size_t row, std::size_t column) const { return bounds.contains({row, column}); }
   std::string tsv() const;  ///< "# name [unit]\t…" and one line a row
-  /// {"columns": {"name": {"unit": …, "values": […]}}}
+  /// {"name": {"unit": …, "values": […]}}, with "bounds": [true, …] where some are
   std::string json() const;
 };
 
 /// Parameters, one a row; as JSON {"name": {"value": …, "unit": …, "standard_error": …, "interval_95": [low,
-/// high], "note": …}}.
+/// high], "note": …}}, and "bound": true of a value that the quantity is below.
 Table table_of(const Parameters& parameters);
 std::string json_of(const Parameters& parameters);
 

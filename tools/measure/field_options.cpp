@@ -113,6 +113,14 @@ Surface FieldOptions::read(const Tool& tool, const Dataset& data, const Ranks& r
   return surface;
 }
 
+Surface FieldOptions::read_flat(const Tool& tool, const Dataset& data, const Ranks& ranks) const try {
+  return read(tool, data, ranks);
+} catch (const FlatSurface& flat) {
+  if (ranks.count() > 1 || (!flat.surface->heights.isNaN()).count() < 2) throw;
+  tool.warn(flat.name + ": " + flat.what() + ": what grows with the heights is 0, the rest has no value");
+  return *flat.surface;
+}
+
 void direction_option(Tool& tool, std::string& direction, const std::string& group) {
   tool.text("--direction", direction, "ANGLE", "A further direction to measure, from +x towards +y: 30deg",
             group);

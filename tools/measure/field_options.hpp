@@ -30,6 +30,8 @@ struct FieldOptions {
   /// Of several ranks that share the rows of a large field, each gets its own.
   Surface read(const Tool& tool, const Dataset& data) const { return read(tool, data, tool.ranks()); }
   Surface read(const Tool& tool, const Dataset& data, const Ranks& ranks) const;
+  /// The same; of a FlatSurface it warns and returns it, unless ranks share it or it is a single point.
+  Surface read_flat(const Tool& tool, const Dataset& data, const Ranks& ranks) const;
   /// Throws UsageError where several ranks run the tool on several surfaces, on standard input, or with a
   /// form or a filter.
   void check_ranks(const Tool& tool, EnsembleInput& inputs) const;

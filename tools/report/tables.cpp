@@ -29,7 +29,7 @@ std::string row_of(const Parameter& row) {
   const std::string note = row.note();
   std::string out =
       labelled(escaped(row.name), escaped(note.empty() ? row.meaning : row.meaning + "; " + note));
-  out += cell(data_element(row.value, m.value), "number");
+  out += cell((row.is_bound ? "&lt;\u00A0" : "") + data_element(row.value, m.value), "number");
   out += cell(known ? data_element(row.standard_error, m.error) : "", "number error");
   out += cell(known ? interval(ends.low, ends.high, m) : "", "number interval");
   return element("tr", out + cell(escaped(m.unit), "unit"));

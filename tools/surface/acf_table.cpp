@@ -74,6 +74,10 @@ Spacing spacing_of_lags(const Dataset& data, std::optional<double> dx, std::opti
   return std::array{dx.value_or(dy.value_or(1)), dy.value_or(dx.value_or(1))};
 }
 
+bool has_all_lags(const Field& half_plane, Shape period) {
+  return half_plane.rows() == period.nx / 2 + 1 && half_plane.cols() == period.ny / 2 * 2 + 1;
+}
+
 // The period of the surface that the table was measured on, or is the target of, where it has all lags of
 // that.
 std::optional<Shape> period_of(const Dataset& data, const std::string& name, const Field& half_plane) {
@@ -84,9 +88,7 @@ std::optional<Shape> period_of(const Dataset& data, const std::string& name, con
     if (!grid.periodic.both()) return std::nullopt;
     period = grid.shape;
   }
-  const bool all =
-      period && half_plane.rows() == period->nx / 2 + 1 && half_plane.cols() == period->ny / 2 * 2 + 1;
-  return all ? period : std::nullopt;
+  return period && has_all_lags(half_plane, *period) ? period : std::nullopt;
 }
 
 AcfTable from_dataset(Dataset data) {
@@ -163,6 +165,7 @@ AcfTable from_text(std::string_view bytes, const MemoryBound& memory) {
     refuse("its lines have " + counted(rows.cols(), "number") + ", its header " + counted(named, "name"));
   if (rows.isNaN().any()) refuse("a number is missing in it");
   AcfTable out;
+  out.any_period = true;
   if (named > 0) {
     take_columns(out, columns, rows);
     return out;
@@ -173,6 +176,10 @@ AcfTable from_text(std::string_view bytes, const MemoryBound& memory) {
 }
 
 }  // namespace
+
+std::optional<Shape> AcfTable::period_on(Shape periodic) const {
+  return any_period && periodic != Shape{} && has_all_lags(half_plane, periodic) ? periodic : period;
+}
 
 AcfTable read_acf_table(const std::string& name, const MemoryBound& memory) {
   const Bytes bytes = read_all(name, memory);

@@ -25,7 +25,11 @@ struct AcfTable {
   double rms = NAN;                  ///< [m], where it is known
   HeightsWithAcf heights = {};       ///< whose autocorrelation it is
   std::optional<Shape> period = {};  ///< of a periodic surface, where the table has all of its lags
+  bool any_period = false;           ///< a text, which cannot tell its surface's
   Dataset dataset;  ///< what came with the table, less what belongs to the surface that it was taken from
+
+  /// The period; of a text these periodic points, where it has all of their lags.
+  std::optional<Shape> period_on(Shape periodic) const;
 };
 
 /// "-" is standard input. Throws DataError("acf", …).

@@ -160,7 +160,11 @@ EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) co
   out.angle = parse_angle("angle", angle);
   if (!wavelength.empty())
     out.wavelength = metres("wavelength", parse_length("wavelength", wavelength), spacing, 0);
-  out.check();
+  try {
+    out.check();
+  } catch (const ParameterError& e) {
+    throw ParameterError(e.name == "length" ? length_option(tool) : e.name, e.what());
+  }
   refuse_aliased(out, wavelength);
   return out;
 }
@@ -196,6 +200,11 @@ std::optional<BandLimited> KernelOptions::band(const Tool& tool, const EllipticT
         limit, (cutoff.empty() ? "needs --periodic, or --model self-affine" : cutoff + ": needs --periodic") +
                    "; otherwise the autocorrelation does not end, and a kernel must");
   refuse_beside(tool, limit);
+  if (std::min(period.nx, period.ny) == 1)
+    throw UsageError(limit, (cutoff.empty() ? "" : cutoff + ": ") + "needs a surface: the waves of " +
+                                text(period) +
+                                " points run along one axis; draw a surface and take a row of it "
+                                "(asperity-filter --crop)");
   const Band band = model.model == Model::stretched_exponential ? Band{} : band_of(tool, model, period);
   check_memory(periodic_kernel_cost(period), static_cast<double>(tool.memory()), period);
   return BandLimited(model, band, period);

@@ -33,6 +33,8 @@ struct KernelOptions {
   /// The model of --model, its lengths in metres, or in samples where no spacing is known. Throws UsageError
   /// for options that it does not use.
   EllipticTarget model(const Tool& tool, const Spacing& spacing) const;
+  /// The option that gives its lengths: "length", or "rolloff" of self-affine.
+  const char* length_option(const Tool& tool) const { return rolloff_is_length(tool) ? "rolloff" : "length"; }
   /// The surfaces of a period with the spectrum of this model, but for --cutoff and --rolloff; nothing
   /// without either, or where --rolloff is the length of the model. `period` is 0x0 of surfaces that are not
   /// periodic, which are refused; so are options without use.

@@ -15,15 +15,13 @@
 namespace asperity::cli {
 namespace {
 
-constexpr double negligible_change = 1e-6;
 constexpr double rounding = 1e-12;  // of a correlation
-constexpr double silent_error =
-    1e-2;  // beyond lags that were given, as of a model cut where it has fallen so far
 
 // ---- what is wanted ----
 
 void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& options, Shape periodic) {
   const EllipticTarget model = options.model(tool, out.spacing);
+  out.extent = options.length_option(tool);
   out.request.target = model.target();
   record_model(out.data.attributes, model);
   out.band = options.band(tool, model, periodic);
@@ -37,8 +35,9 @@ void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& optio
                                                               band.rolloff_y / model.spacing_y}));
 }
 
-void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& options) {
+void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& options, Shape periodic) {
   options.refuse_model(tool);
+  out.extent = "acf";
   AcfTable table = read_acf_table(options.acf, tool.memory_bound());
   tool.reads(options.acf, !table.dataset.variables.empty());
   require_spacing(tool.given("--spacing") ? "spacing" : "size", "gives samples", out.spacing, "the table has",
@@ -52,9 +51,7 @@ void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& optio
     out.request.rms = table.rms;
     out.has_height = true;
   }
-  const bool free = options.request.lags == Shape{} && options.formulation.empty() &&
-                    out.request.method == Method::newton_krylov;
-  if (free) out.period = table.period;
+  if (out.free()) out.period = table.period_on(periodic);
   out.request.target = target_of_table(std::move(table.half_plane));
   out.measured = std::move(table.heights);
   out.data = std::move(table.dataset);
@@ -62,6 +59,20 @@ void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& optio
   drop_surface(out.data, "kernel");
   tool.settle(out.data);
   out.data.attributes.set("kernel_target", "table");
+}
+
+// Zero at all lags but 0 along an axis with one point.
+Target target_on(const Target& target, Shape surface) {
+  const bool x = surface.nx == 1, y = surface.ny == 1;
+  auto narrow = [x, y](Shape lags) { return Shape{x ? 1 : lags.nx, y ? 1 : lags.ny}; };
+  Target out([=, row = target.row](double p, double q) {
+    double r = 0;
+    if ((!x || p == 0) && (!y || q == 0)) row(p, q, {&r, 1});
+    return r;
+  });
+  if (target.known) out.known = narrow(*target.known);
+  if (target.reach) out.reach = [=, reach = target.reach](double t) { return narrow(reach(t)); };
+  return out;
 }
 
 // ---- the solution ----
@@ -83,7 +94,7 @@ Kernel periodic(KernelProblem& problem) {
   report.reason = "the root of the spectrum on the period";
   report.converged = report.error <= request.acf_tolerance;
   if (!report.converged && !allows(request.infeasible, report.error))
-    throw DataError("acf",
+    throw DataError(problem.extent,
                     "no surface of this period and distribution has this autocorrelation; the closest one "
                     "found changes it by " +
                         number(report.error) + " (see --infeasible)");
@@ -170,19 +181,20 @@ std::string shortcoming(const Attributes& a) {
          (report.reason == "solved" ? "" : ": " + report.reason);
 }
 
-// Warns of a solved kernel without the requested autocorrelation.
+// How a solved kernel changes the lags prescribed, and why; "" of one that does not.
+std::string changed(const KernelProblem& problem, const Kernel& kernel) {
+  const auto& [answer, change] = std::pair(kernel.report.answer, kernel.report.change);
+  if (answer == Answer::exact || answer == Answer::wider || change <= problem.request.tolerance) return "";
+  const std::string by = " by up to " + number(change) + " of the variance";
+  if (answer == Answer::spectral) return "the root of the spectrum changes the autocorrelation" + by;
+  if (problem.period) return "the kernel of the period changes the autocorrelation" + by;
+  return "no kernel of " + text(kernel.lags) + " lags has this autocorrelation; the kernel of " +
+         (answer == Answer::nearest ? "the nearest feasible one" : "least squares") + " changes it" + by;
+}
+
 void warn_of_errors(const Tool& tool, const KernelRequest& request, const Kernel& kernel) {
   const KernelReport& report = kernel.report;
-  const bool chosen = request.lags == Shape{}, table = request.target.known.has_value();
-  const bool changed = (report.answer == Answer::nearest || report.answer == Answer::least_squares) &&
-                       report.change > negligible_change;
-  if (changed && !(chosen && table))
-    tool.warn("no kernel of " + text(kernel.lags) + " lags has this autocorrelation; " +
-              (report.answer == Answer::nearest ? "the kernel of the nearest feasible one"
-                                                : "the kernel of least squares") +
-              " changes it by up to " + number(report.change) + " of the variance");
-  const double silent = table ? request.acf_tolerance : std::max(request.acf_tolerance, silent_error);
-  if (!chosen && report.error > silent)
+  if (request.lags != Shape{} && report.error > request.acf_tolerance)
     tool.warn("the error over all lags is " + number(report.error) + " of the variance: only the " +
               text(kernel.lags) +
               " prescribed lags are met; leave out --lags to meet --acf-tolerance at all lags");
@@ -208,6 +220,22 @@ Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, 
 
 }  // namespace
 
+void KernelProblem::wrap(const Tool& tool, Shape surface) {
+  constexpr double left_out = 1e-2;  // of the tolerance
+  const bool profile = std::min(surface.nx, surface.ny) == 1;
+  if (!profile || band || period || !free() || !request.target.reach) return;
+  request.target =
+      target_of_table(periodic_correlation(tool, request.target, surface, left_out * request.acf_tolerance));
+  period = surface;
+}
+
+void KernelProblem::narrow(Shape surface) {
+  if (surface.nx != 1 && surface.ny != 1) return;
+  request.target = target_on(request.target, surface);
+  if (surface.nx == 1) request.lags.nx = std::min<Index>(request.lags.nx, 1);
+  if (surface.ny == 1) request.lags.ny = std::min<Index>(request.lags.ny, 1);
+}
+
 KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing,
                              Shape periodic) {
   KernelProblem out;
@@ -224,7 +252,7 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, con
   if (!tool.given("--acf"))
     take_model(out, tool, options, periodic);
   else
-    take_table(out, tool, options);
+    take_table(out, tool, options, periodic);
   if (out.band) request.method = Method::spectral;
   if (!options.filters()) out.marginal = options.heights.wanted(tool, out.measured, request.infeasible);
   request.check();
@@ -237,7 +265,8 @@ KernelSolution solve(const Tool& tool, KernelProblem problem, bool aside) {
                             problem.spacing, problem.marginal.has_value(), problem.period});
   record_kernel(problem.data.attributes, problem.request, kernel);
   const Exit code = tell(tool, problem, kernel, aside);
-  return {std::move(problem.data), std::move(problem.before), code};
+  std::string change = code == done ? changed(problem, kernel) : "";
+  return {std::move(problem.data), std::move(problem.before), code, std::move(change)};
 }
 
 void tell_read(const Tool& tool, const Dataset& data) {

@@ -11,7 +11,17 @@
 namespace asperity::cli {
 
 struct KernelProblem {
+  /// Of a surface with one point along an axis, a problem along the other.
+  void narrow(Shape surface);
+  /// Of a periodic profile nothing is left to solve: the target becomes its sum over the periods.
+  void wrap(const Tool& tool, Shape surface);
+  /// Whether lags, formulation and method are left open.
+  bool free() const {
+    return request.lags == Shape{} && !request.formulation && request.method == Method::newton_krylov;
+  }
+
   KernelRequest request;
+  const char* extent = "length";     ///< the option that says how far the correlation reaches
   Spacing spacing;                   ///< of the samples
   bool has_height = false;           ///< request.rms is a height [m]
   std::optional<Marginal> marginal;  ///< of the heights, where they are not Gaussian
@@ -30,8 +40,9 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, con
 
 struct KernelSolution {
   Dataset data;
-  Inventory before;  ///< of the dataset that was read, to tell what is gone
-  Exit code = done;  ///< not_converged for a kernel that is not as requested
+  Inventory before;         ///< of the dataset that was read, to tell what is gone
+  Exit code = done;         ///< not_converged for a kernel that is not as requested
+  std::string change = {};  ///< of the target by the kernel, in words; to be said of the kernel that is used
 };
 
 /// Warns of a kernel that is not as requested. Otherwise reports it, as a note or, where

@@ -15,7 +15,7 @@
 namespace asperity::cli {
 namespace {
 
-constexpr double told_change = 1e-3;     // of the variance
+constexpr double told_change = 1e-9;     // of the variance: more than round-off
 constexpr double least_variance = 0.01;  // of the one requested
 constexpr double largest_offset = 0.5;   // share of the variance
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -50,6 +50,11 @@ Field had(const KernelTables& tables, const Attributes& a) {
   return all ? asked_for(tables) : (tables.acf_achieved / (tables.rms() * tables.rms())).eval();
 }
 
+// Of a profile those along it: it has no others to add up.
+Field own_lags(const Field& half_plane, Shape surface) {
+  return within(half_plane, {surface.nx > 1 ? half_plane.rows() : 1, surface.ny > 1 ? half_plane.cols() : 1});
+}
+
 double variance(const Field& half_plane) { return half_plane(0, half_plane.cols() / 2); }
 
 std::string around(Shape surface) {
@@ -77,11 +82,9 @@ void refuse_rest(double left, Shape surface) {
 
 void tell_change(const Tool& tool, double change, Shape surface) {
   if (change <= told_change) return;
-  const bool profile = std::min(surface.nx, surface.ny) == 1;
   tool.warn("--periodic: " + around(surface) + " and changes the autocorrelation by up to " +
             fmt::format("{:.2g}", change) +
-            " of the variance: it is the sum over the periods, at the prescribed rms height" +
-            (profile ? "; --lags of 1 across the profile keep the profile's own" : ""));
+            " of the variance: it is the sum over the periods, at the prescribed rms height");
 }
 
 // What the solution on the plane has left on record, of the kernel that has taken its place.
@@ -131,34 +134,63 @@ double largest_error(const KernelTables& tables) {
          variance(tables.acf_target);
 }
 
-Exit wrap_kernel(const Tool& tool, Dataset& data, KernelTables& tables, Shape surface, double memory) {
-  if (tables.period) return done;
-  Attributes& a = data.attributes;
-  if (!reaches_around(shape_of(tables.kernel), surface)) {
-    cut(tables, a, surface);
-    return done;
-  }
-  const Field alone = asked_for(tables), asked = periodic_sum(alone, surface),
-              sum = periodic_sum(had(tables, a), surface), correlation = sum / variance(sum);
+Field periodic_correlation(const Tool& tool, const Target& target, Shape surface, double left) {
+  const Shape far = target.reach(left);
+  auto first = [](Index lag, Index reach, Index period) {
+    return lag - std::max<Index>(lag + reach - 1, 0) / period * period;
+  };
+  auto sum = [&](Index p, Index q) {  // the lag's own value at any distance
+    double out = 0;
+    for (Index i = first(p, far.nx, surface.nx); i < std::max(far.nx, p + 1); i += surface.nx)
+      for (Index j = first(q, far.ny, surface.ny); j < std::max(far.ny, q + 1); j += surface.ny)
+        out += target(static_cast<double>(i), static_cast<double>(j));
+    return out;
+  };
+  const Index middle = surface.ny / 2;
+  auto half_plane = [&](auto value) -> Field {
+    return Field::NullaryExpr(surface.nx / 2 + 1, 2 * middle + 1,
+                              [&](Index p, Index column) { return value(p, column - middle); });
+  };
+  Field out = half_plane(sum);
+  refuse_rest(variance(out), surface);
+  out /= variance(out);
+  refuse_offset(out, surface);
+  const Field alone = half_plane([&](Index p, Index q) { return target(double(p), double(q)); });
+  tell_change(tool, (out - alone).abs().maxCoeff(), surface);
+  return out;
+}
+
+void wrap_kernel(const Tool& tool, KernelSolution& solution, KernelTables& tables, Shape surface) {
+  if (tables.period) return;
+  Attributes& a = solution.data.attributes;
+  if (!reaches_around(shape_of(tables.kernel), surface)) return cut(tables, a, surface);
+  const Field alone = own_lags(asked_for(tables), surface), asked = periodic_sum(alone, surface),
+              sum = periodic_sum(own_lags(had(tables, a), surface), surface),
+              correlation = sum / variance(sum);
   refuse_rest(std::min(variance(sum), variance(asked)), surface);
   refuse_offset(correlation, surface);
   const Field target =
       within(tables.acf_target, shape_of(asked)).isNaN().select(unknown, asked / variance(asked));
-  KernelTables wrapped = on_period(correlation, surface, tables.rms(), marginal_of(data), memory);
+  KernelTables wrapped = on_period(correlation, surface, tables.rms(), marginal_of(solution.data),
+                                   static_cast<double>(tool.memory()));
   wrapped.acf_target =
       extended(target, shape_of(wrapped.acf_achieved), unknown) * (tables.rms() * tables.rms());
   wrapped.has_height = tables.has_height;
   wrapped.spacing = tables.spacing;
   tables = std::move(wrapped);
   const double error = largest_error(tables), tolerance = recorded_tolerance(a);
-  const bool worse = error > tolerance && !(recorded_report(a).error > tolerance);
+  const bool met = !(recorded_report(a).error > tolerance);
   record(a, error);
   tell_change(tool, (correlation - within(alone, shape_of(correlation))).abs().maxCoeff(), surface);
-  if (!worse) return done;
+  if (!met) return;
+  solution.change.clear();
+  if (error > told_change)
+    solution.change =
+        "the kernel changes the sum over the periods by up to " + number(error) + " of the variance";
+  if (error <= tolerance) return;
   a.set("kernel_converged", 0);
-  tool.warn("the kernel's error over the period, " + number(error) +
-            " of the variance, exceeds --acf-tolerance " + number(tolerance));
-  return not_converged;
+  solution.change += ", more than --acf-tolerance " + number(tolerance);
+  solution.code = not_converged;
 }
 
 void check_period(const KernelTables& tables, Shape surface, bool periodic) {

@@ -20,15 +20,16 @@ constexpr double at_bound = 0.25;     // Sq, of a peak
 
 const char* axes(bool x, bool y) { return x && y ? "x and y" : x ? "x" : "y"; }
 
-void tell_short(const Tool& tool, const Target& target, Shape surface) {
+void tell_short(const Tool& tool, const KernelProblem& problem, Shape surface) {
+  const Target& target = problem.request.target;
   if (target.known || !target.reach) return;
   const Shape fallen = target.reach(told_rest);
   const bool x = fallen.nx == 1 && surface.nx != 1, y = fallen.ny == 1 && surface.ny != 1;
   if (x || y)
     tool.warn(
-        fmt::format("--length is far below a sample along {}: neighbouring heights correlate by less than "
+        fmt::format("--{} is far below a sample along {}: neighbouring heights correlate by less than "
                     "{:g}, as in white noise; sample more finely",
-                    axes(x, y), told_rest));
+                    problem.extent, axes(x, y), told_rest));
 }
 
 // "+1.1 Sq (436nm)"
@@ -131,8 +132,8 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
 void foresee(const Tool& tool, const KernelProblem& problem, Shape surface, bool kept) {
   if (problem.band) return;  // it has the surface's own waves, and no offset
   const Target& target = problem.request.target;
-  foresee_extent(tool, target, surface, target.known ? "acf" : "length");
-  tell_short(tool, target, surface);
+  foresee_extent(tool, target, surface, problem.extent);
+  tell_short(tool, problem, surface);
   tell_cost(tool, problem.request, kept);
   tell_heights(tool, problem);
 }

@@ -51,9 +51,11 @@ SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
   if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, problem.data);
   if (!o.periodic || problem.period != o.shape) problem.period.reset();
+  problem.narrow(o.shape);
   foresee(tool, problem, o.shape, o.adds("kernel"));
   if (problem.band || !problem.request.target.known)
     refuse_drawing(tool, o, problem.band ? o.shape : first_lags(problem.request));
+  if (o.periodic) problem.wrap(tool, o.shape);
   HeightsWithAcf measured = problem.measured;
   return {solve(tool, std::move(problem), true), {}, std::move(measured)};
 }
@@ -82,7 +84,8 @@ SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
   adopt_grid(tool, o, out.data);
   out.before = Inventory(out.data);
   drop_surface(out.data);
-  foresee_extent(tool, target_of_table(known_lags(kernel_of(out.data).acf_target)), o.shape, "shape");
+  foresee_extent(tool, target_of_table(known_lags(kernel_of(out.data).acf_target)), o.shape,
+                 tool.given("--shape") ? "shape" : "kernel");
   tell_read(tool, out.data);
   return out;
 }
@@ -108,6 +111,8 @@ KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Datase
     return tables;
   }
   const Spacing spacing = spacing_of(o.shape, o.size);
+  if (tables.spacing && tables.acf_target.rows() == 1) (*tables.spacing)[0] = (*spacing)[0];  // a single lag
+  if (tables.spacing && tables.acf_target.cols() == 1) (*tables.spacing)[1] = (*spacing)[1];
   require_spacing("size", "gives a spacing", spacing, "the kernel has", tables.spacing, 1e-9);
   tables.spacing = spacing;
   return tables;
@@ -163,9 +168,8 @@ SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options) {
   const Shape shape = options.shape;
   out.tables = tables_for(tool, options, out.data);
   check_period(out.tables, shape, options.periodic);
-  if (options.periodic)
-    out.code = std::max(out.code,
-                        wrap_kernel(tool, out.data, out.tables, shape, static_cast<double>(tool.memory())));
+  if (options.periodic) wrap_kernel(tool, out, out.tables, shape);
+  if (!out.change.empty()) tool.warn(out.change);
   const auto [dx, dy] = *out.tables.spacing;
   const Grid grid{shape, dx, dy, options.periodic};
   if (options.adds("kernel"))

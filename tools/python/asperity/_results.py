@@ -125,7 +125,11 @@ def _table(raw, run):
     head, *rows = run.named(raw.decode()).rstrip("\n").split("\n")
     names, units = zip(*map(_column, head[2:].split("\t")))
     columns = list(zip(*(row.split("\t") for row in rows))) or [()] * len(names)
-    values = {n: list(c) if u is None else [float(v) for v in c] for n, u, c in zip(names, units, columns)}
+    values = {n: list(c) if u is None else [float(v.removeprefix("<")) for v in c]
+              for n, u, c in zip(names, units, columns)}
+    for name, unit, column in zip(names, units, columns):  # "<" stands before what the quantity is below
+        if unit is not None and any(v.startswith("<") for v in column):
+            values[f"{name}_is_bound"] = [v.startswith("<") for v in column]
     units = {n: u for n, u in zip(names, units) if u is not None}
     first = names[0]
     key = first if first not in units and len(set(values[first])) == len(values[first]) else None
