@@ -28,7 +28,7 @@ struct SlopeParameters {
   double sdr = NAN;  ///< share of the plan area
 };
 
-/// The sums of a field that comes in strips.
+/// The sums of a field.
 class SlopeSums {
  public:
   void add(const Strip& strip, int threads = 1);

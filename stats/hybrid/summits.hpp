@@ -45,10 +45,10 @@ struct CountedSummits : Summits {
   double count = 0;
 };
 
-/// The sums of a field that comes in strips, each but the last with a halo of two rows.
+/// The sums of a field.
 class SummitSums {
  public:
-  /// `level` is the mean of the whole field.
+  /// `level` is the mean of the field.
   void add(const Strip& strip, double level, int threads = 1);
   /// Throws DataError("heights", …) without 3 × 3 measured points. Without a summit, density and count are 0
   /// and the others NaN.

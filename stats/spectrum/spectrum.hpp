@@ -77,10 +77,8 @@ DataWindows default_windows(const Grid& grid);
 SharedPower shared_power(const Field& d, DataWindows windows);
 
 /// (1) over the half-plane of wave numbers p ≥ 0. For sums over all wave numbers use for_each_lag on the
-/// periodic grid. Of several ranks, each has its rows of a field without missing heights, and gets its rows
-/// p.
-LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1,
-                        const Ranks& ranks = alone());
+/// periodic grid.
+LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1);
 
 /// Why a point of a spectrum has no error (stats/spectrum/resolution.hpp, holes.hpp).
 enum class NoError { none, form, leakage, resolution, holes };
