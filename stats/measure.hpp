@@ -7,8 +7,7 @@
 ///
 /// The headers of stats/height, spatial, spectrum, hybrid and profile define the parameters. Errors allow for
 /// the correlation of the heights (stats/uncertainty). If too few heights are independent, no errors are
-/// given, and `why` says so. Missing points (NaN) are left out. A Sample in strips has all groups but the
-/// spatial one.
+/// given, and `why` says so. Missing points (NaN) are left out.
 #pragma once
 
 #include <array>

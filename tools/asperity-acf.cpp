@@ -31,7 +31,6 @@ struct Options {
   bool adds(const std::string& name) const { return std::ranges::find(further, name) != further.end(); }
   void check(cli::Tool& tool) const {
     result.check(tool);
-    if (!further.empty()) cli::refuse_ranks(tool, "add", further.front());
     if (adds("acf_quantiles") && !result.dataset())
       throw cli::UsageError("add", "acf_quantiles needs --result dataset");
     if (adds("acf_error") && !result.dataset())
@@ -104,7 +103,7 @@ cli::AcfResult estimate(const cli::Tool& tool, const Options& what, const Surfac
   const int threads = tool.thread_count();
   cli::AcfResult out{
       AcfEstimate::of(surface, {.max_lag = max_lag, .biased = what.biased, .threads = threads})};
-  if (what.result.dataset()) out.moments = moments(surface.heights, "heights", *surface.ranks);
+  if (what.result.dataset()) out.moments = moments(surface.heights, "heights");
   auto errors = [&](bool along_x) {
     return profile_errors(out.estimate, surface.heights, along_x, what.absolute, threads);
   };
@@ -142,10 +141,9 @@ void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& wha
   warn_of_lengths(tool, what, lengths, surface.grid, &result.estimate);
   if (!what.result.dataset()) return cli::print(tool, lengths);
   const cli::Inventory before(data);
-  cli::SharedFields fields(result.estimate.rho.rows());
-  add_acf(data, fields, result, lengths, content(surface, what));
+  add_acf(data, result, lengths, content(surface, what));
   before.tell(tool, data, "acf");
-  fields.first_writes([&] { tool.write(data); });
+  tool.write(data);
 }
 
 // Several: means, with errors by the spread between them.
@@ -234,7 +232,6 @@ void declare(cli::Tool& tool, Options& what) {
   tool.table();
   tool.output();
   tool.threads();
-  tool.shares_ranks();
   tool.essential({"--result", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--levels",
                   "--direction", "--max-lag", "--biased", "--add", "--json", "--output"});
   tool.example(
@@ -283,7 +280,6 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     what.check(tool);
-    options.check_ranks(tool, inputs);
     Surfaces surfaces(tool, options, what);
     inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
       member.alone() ? measure(tool, options, what, std::move(member.data)) : surfaces.add(member);

@@ -13,7 +13,6 @@
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
-#include "tools/cli/shared_fields.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/cli/turns.hpp"
 #include "tools/measure/field_options.hpp"
@@ -86,14 +85,14 @@ cli::Table profiles(const Sample& sample, const DataWindows& windows) {
 }
 
 // Writes psd, or another function of the wave numbers, in place of a former one.
-void write(Dataset& data, cli::SharedFields& fields, const char* name, const Field& half_plane,
-           const Surface& surface, const char* meaning) {
+void write(Dataset& data, const char* name, const Field& half_plane, const Surface& surface,
+           const char* meaning) {
   const auto step = [](double size) { return 2 * std::numbers::pi / size; };
-  fields.set_table(data, name, half_plane,
-                   {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
-                   {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), per_length,
-                    "wave number in y"},
-                   {cli::density_units(surface.units, 2), meaning});
+  set_table(data, name, half_plane,
+            {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
+            {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), per_length,
+             "wave number in y"},
+            {cli::density_units(surface.units, 2), meaning});
 }
 
 void describe(Dataset& data, const Surface& surface, const DataWindows& windows) {
@@ -113,27 +112,20 @@ cli::Table table(const cli::Tool& tool, const Options& what, Surface surface) {
   return out;
 }
 
-// One surface: its dataset or table, with errors by theory. Tables are the first rank's work: their errors
-// need the whole field.
+// One surface: its dataset or table, with errors by theory.
 void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
-  if (!what.result.dataset()) {
-    if (tool.speaks()) cli::print(tool, table(tool, what, field.read_flat(tool, data, alone())));
-    return;
-  }
-  const Surface surface = field.read_flat(tool, data, tool.ranks());
+  if (!what.result.dataset()) return cli::print(tool, table(tool, what, field.read_flat(tool, data)));
+  const Surface surface = field.read_flat(tool, data);
   const DataWindows windows = what.windows(surface.grid);
-  const LagField psd =
-      power_spectrum(surface.heights, surface.grid, windows, tool.thread_count(), *surface.ranks);
+  const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
   const cli::Inventory before(data);
   cli::drop_results(data, "psd", surface.variable);
-  cli::SharedFields fields(psd.rows());
-  write(data, fields, "psd", over_both_signs(psd, surface.grid), surface,
-        "power spectral density of the field");
+  write(data, "psd", over_both_signs(psd, surface.grid), surface, "power spectral density of the field");
   describe(data, surface, windows);
   data.attributes.set("psd_relative_error", 1);
   data.attributes.set("psd_degrees_of_freedom", 2);
   before.tell(tool, data, "psd");
-  fields.first_writes([&] { tool.write(data); });
+  tool.write(data);
 }
 
 // Several: means, with errors by the spread between them.
@@ -144,7 +136,7 @@ class Surfaces {
 
   void add(const cli::EnsembleMember& member) {
     tool_.detail(member.name);
-    Surface surface = field_.read_flat(tool_, member.data, tool_.ranks());
+    Surface surface = field_.read_flat(tool_, member.data);
     grids_.add(tool_, surface.grid, member.name, surface.units);
     Field heights = std::move(surface.heights);
     cli::in_turn([this, surface] {
@@ -168,9 +160,8 @@ class Surfaces {
     Dataset data;
     set_grid(data, last_.grid);
     const Field mean = psd_.mean();
-    cli::SharedFields fields{Slabs(mean.rows())};
-    write(data, fields, "psd", mean, last_, "mean power spectral density of the surfaces");
-    write(data, fields, "psd_error", psd_.standard_error(), last_,
+    write(data, "psd", mean, last_, "mean power spectral density of the surfaces");
+    write(data, "psd_error", psd_.standard_error(), last_,
           "standard error of the mean power spectral density");
     describe(data, last_, what_.windows(last_.grid));
     data.attributes.set("psd_surfaces", surfaces_);
@@ -204,7 +195,6 @@ void declare(cli::Tool& tool, Options& what) {
   tool.table();
   tool.output();
   tool.threads();
-  tool.shares_ranks();
   tool.essential({"--result", "--window", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
                   "--output", "--threads", "--from"});
   tool.example(
@@ -255,7 +245,6 @@ int main(int argc, char** argv) {
 
   return tool.run(argc, argv, [&] {
     what.result.check(tool);
-    options.check_ranks(tool, inputs);
     Surfaces surfaces(tool, options, what);
     inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
       member.alone() ? measure(tool, options, what, std::move(member.data)) : surfaces.add(member);

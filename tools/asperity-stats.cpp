@@ -3,16 +3,12 @@
 #include <optional>
 #include <set>
 
-#include "core/words.hpp"
-#include "dataset/field_file.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "stats/measure/ensemble_parameters.hpp"
 #include "tools/cli/counted_cells.hpp"
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
-#include "tools/cli/heights_words.hpp"
-#include "tools/cli/large_file.hpp"
 #include "tools/cli/turns.hpp"
 #include "tools/measure/stats_options.hpp"
 #include "tools/measure/twin_rows.hpp"
@@ -20,16 +16,6 @@
 using namespace asperity;
 
 namespace {
-
-// The option that needs the whole field in memory; "" if none does.
-std::string needs_whole_field(const MeasureOptions& asked, const std::string& errors) {
-  if (errors == "twins") return "--errors twins";
-  if (asked.groups.contains(Group::spatial)) return "--parameters spatial";
-  const auto& [form, shorter, longer] = asked.preparation;
-  if (form.kind != Form::Kind::polynomial) return "--remove-form " + form.words();
-  if (shorter.given()) return "--lambda-s";
-  return longer.given() ? "--lambda-c" : "";
-}
 
 // The surfaces of the command line, measured one by one.
 class Surfaces {
@@ -41,28 +27,9 @@ class Surfaces {
     tool_.detail(name);
     if (const auto part = cli::counted_cells(data, field_.variable)) tool_.note(part->told_of_all());
     grids_.add(tool_, grid_of(data), name, si_unit_of(data.at(field_.variable)));
-    const bool alike = twins_are_quick(grid_of(data), asked_);  // they need the whole field
-    Surface surface = field_.read_flat(tool_, data, alike ? asperity::alone() : tool_.ranks());
+    Surface surface = field_.read_flat(tool_, data);
     if (surface.flat) return add_flat(surface);
-    if (surface.ranks->count() > 1 && surface.degree > 0)
-      throw DataError(field_.variable, "errors above the form that was removed need the whole field, which " +
-                                           std::to_string(surface.ranks->count()) +
-                                           " ranks share: start one process");
     add(Sample(std::move(surface), asked_.groups.contains(Group::hybrid), tool_.thread_count()), alone);
-  }
-  /// Whether a file is too large for memory, and read in strips.
-  bool in_strips(const std::string& path) const {
-    return tool_.ranks().count() == 1 && (tool_.given("--memory") || whole_.empty()) &&
-           cli::larger_than_memory(path, tool_.memory());
-  }
-  void add_in_strips(const std::string& path) {
-    if (!whole_.empty()) cli::refuse_strips(path, whole_);
-    const FieldFile file(path, field_.variable, tool_.memory_bound());
-    Dataset head = file.dataset();
-    grids_.add(tool_, file.grid(), path, si_unit_of(head.at(field_.variable)));
-    tool_.settle(head, path);
-    warn_of_proportions(file, si_unit_of(head.at(field_.variable)));
-    add(strips_of(file), true);
   }
   void print() const {
     for (const std::string& group : missing_) tool_.warn(group);
@@ -73,29 +40,6 @@ class Surfaces {
   }
 
  private:
-  // One more pass over the file.
-  void warn_of_proportions(const FieldFile& file, const std::string& unit) const {
-    Proportions of(file.grid());
-    const Index nx = file.grid().shape.nx, rows = std::max<Index>(1, (Index{1} << 16) / file.grid().shape.ny);
-    for (Index first = 0; first < nx; first += rows) of.add(file.rows(first, std::min(rows, nx - first)));
-    const bool raw = asked_.preparation.form.is_mean();
-    raw ? cli::warn_of_heights(tool_, of, unit, "--remove-form plane")
-        : cli::warn_of_proportions(tool_, of, unit);
-  }
-  Sample strips_of(const FieldFile& file) const {
-    const StripReader reader({file.grid(), [&](Index first, Index count) { return file.rows(first, count); },
-                              [&](Index first, Index count) { return file.columns(first, count); }},
-                             asked_.preparation.form.degree, tool_.memory());
-    const Sample sample(reader, field_.without_heights(file.dataset()), asked_.groups.contains(Group::hybrid),
-                        tool_.thread_count());
-    const std::string rows = counted(reader.rows(), "row");
-    tool_.note("read in strips of " + rows);
-    if (sample.correlation_reaches_beyond())
-      tool_.warn("the correlation is longer than half a strip of " + rows +
-                 ": standard errors are too small; increase --memory");
-    return sample;
-  }
-
   void add(const Sample& sample, bool alone) {
     Parameters all;
     for (const Group group : asked_.groups) {
@@ -137,7 +81,7 @@ class Surfaces {
         if (std::isfinite(p.value)) p.why.clear();  // else why there is no value
       }
     const bool asked = errors_ == "twins";
-    if (asked || (errors_ == "auto" && alone && sample.whole()))
+    if (asked || (errors_ == "auto" && alone))
       cli::errors_by_twins(tool_, sample, asked_, asked ? TwinUse::everywhere : TwinUse::where_quick, all);
   }
 
@@ -145,7 +89,6 @@ class Surfaces {
   const cli::FieldOptions& field_;
   const std::string errors_;
   const MeasureOptions asked_;
-  const std::string whole_ = needs_whole_field(asked_, errors_);
   cli::EnsembleGrid grids_;
   EnsembleParameters ensemble_;
   Parameters last_;
@@ -200,17 +143,13 @@ int main(int argc, char** argv) {
   options.declare(tool);
   tool.table();
   tool.threads();
-  tool.shares_ranks();
   document(tool);
 
   return tool.run(argc, argv, [&] {
-    options.check_ranks(tool, surfaces);
     Surfaces measured(tool, options);
-    surfaces.for_each(
-        tool,
-        [&](const cli::EnsembleMember& member) { measured.add(member.data, member.name, member.alone()); },
-        cli::EnsembleInput::Apart{[&](const std::string& path) { return measured.in_strips(path); },
-                                  [&](const std::string& path) { measured.add_in_strips(path); }});
+    surfaces.for_each(tool, [&](const cli::EnsembleMember& member) {
+      measured.add(member.data, member.name, member.alone());
+    });
     measured.print();
     return cli::done;
   });

@@ -130,16 +130,4 @@ Field transposed(const ConstRows& own, const Slabs& slabs) {
   return out;
 }
 
-// Some rows at a time, for rows_of copies them.
-Field dealt_again(Field own, const Slabs& from, const Slabs& to) {
-  if (!from.shared()) return own;
-  const Extent mine = to.own();
-  Field out(mine.count, own.cols());
-  for (Index done = 0; done < to.longest(); done += Slabs::run) {
-    const Index first = std::min(done, mine.count), count = std::min(Slabs::run, mine.count - first);
-    out.middleRows(first, count) = rows_of(own, from, Extent{mine.first + first, count});
-  }
-  return out;
-}
-
 }  // namespace asperity

@@ -97,8 +97,6 @@ using ConstRows = Eigen::Ref<const Field>;
 /// Rows of a field by their number, whoever holds them; each rank wants its own.
 Field rows_of(const ConstRows& own, const Slabs& slabs, const std::vector<Index>& wanted);
 Field rows_of(const ConstRows& own, const Slabs& slabs, Extent wanted);
-/// Own rows as `to` deals them; some of those that `from` deals may be missing behind the last of `to`.
-Field dealt_again(Field own, const Slabs& from, const Slabs& to);
 
 /// The columns of the same field that fall to this rank, dealt as rows, each as a row.
 Field transposed(const ConstRows& own, const Slabs& slabs);

@@ -44,37 +44,26 @@ auto netcdf4_reader() {
 }
 
 // The dataset in a classic format, converted in a separate process; it needs its memory twice, as here.
-Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory, bool whole) {
+Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryBound& memory) {
   load_netcdf4();
   constexpr std::size_t bytes_a_second = 5'000'000, library = 64 << 20;
   const WorkLimits limits{.seconds = static_cast<unsigned>(2 + netcdf4.size() / bytes_a_second),
                           .memory = library + std::min(2 * most_made_of(netcdf4.size()), memory.left())};
   Bytes out = done_apart(
-      [&](const auto& sink) {
-        write_netcdf(read_netcdf4(netcdf4, {.memory = memory, .times = 2, .whole = whole}), sink);
-      },
+      [&](const auto& sink) { write_netcdf(read_netcdf4(netcdf4, {.memory = memory, .times = 2}), sink); },
       limits, "dataset");
   memory.require(static_cast<double>(out.size()), "dataset");
   return out;
 }
 
-bool on_both_axes(const Variable& v) {
-  return std::ranges::count(v.dimensions, "x") > 0 && std::ranges::count(v.dimensions, "y") > 0;
-}
-
-// Of the variables that are read, or may be.
-template <class Which>
-void require_room(const Dataset& data, const MemoryBound& memory, Which which) {
+void require_room(const Dataset& data, const MemoryBound& memory) {
   double values = 0, most = 0;
-  for (const Variable& v : data.variables)
-    if (which(v)) {
-      values += static_cast<double>(size_in_memory(v));
-      most = std::max(most, static_cast<double>(count(v)));
-    }
-  require_memory(values, most, {.memory = memory});
+  for (const Variable& v : data.variables) {
+    values += static_cast<double>(size_in_memory(v));
+    most = std::max(most, static_cast<double>(count(v)));
+  }
+  require_memory(values, most, memory);
 }
-
-constexpr auto every = [](const Variable&) { return true; };
 
 void check_kind(std::string_view bytes) {
   if (bytes.empty()) refuse("the file is empty");
@@ -88,14 +77,14 @@ Dataset unread(Bytes classic) {
 }
 
 // As in the file; a classic one unread. The memory that NetCDF-4 takes is checked here.
-Dataset in_file(const std::string& path, MemoryBound& memory, bool whole) {
+Dataset in_file(const std::string& path, MemoryBound& memory) {
   const std::shared_ptr<const Source> source = source_on_disk(path);
   const Bytes mapped = Bytes::mapped(path);
   check_kind(mapped);
   if (!is_netcdf4(mapped)) return read_classic_head(mapped, source);
   const DoneApart done_apart = apart;
-  if (done_apart == nullptr) return read_netcdf4(mapped, {.memory = memory, .whole = whole});
-  Bytes classic = classic_from(mapped, done_apart, memory, whole);
+  if (done_apart == nullptr) return read_netcdf4(mapped, {.memory = memory});
+  Bytes classic = classic_from(mapped, done_apart, memory);
   memory = memory.beside(classic.size());
   return unread(std::move(classic));
 }
@@ -117,8 +106,8 @@ Dataset netcdf::read_netcdf4(std::string_view bytes, const Extent& extent) {
   return out;
 }
 
-void netcdf::require_memory(double values, double largest, const Extent& extent) {
-  extent.memory.require(values + (extent.whole ? sizeof(double) * largest : 0), "dataset");
+void netcdf::require_memory(double values, double largest, const MemoryBound& memory) {
+  memory.require(values + sizeof(double) * largest, "dataset");
 }
 
 std::size_t netcdf::most_made_of(std::size_t bytes) {
@@ -137,20 +126,20 @@ Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
   check_kind(bytes);
   const DoneApart done_apart = apart;
   if (is_netcdf4(bytes) && done_apart != nullptr) {
-    const Bytes classic = classic_from(bytes, done_apart, memory, true);
+    const Bytes classic = classic_from(bytes, done_apart, memory);
     return decode_netcdf(classic, memory.beside(classic.size()));
   }
   Dataset out = is_netcdf4(bytes) ? read_netcdf4(bytes, {.memory = memory})
                                   : read_classic_head(bytes, source_of(bytes));
-  require_room(out, memory, every);
+  require_room(out, memory);
   load(out);
   return to_native_axes(with_plain_values(std::move(out)));
 }
 
 Dataset open_netcdf(const std::string& path, const MemoryBound& memory) {
   MemoryBound left = memory;
-  Dataset out = in_file(path, left, true);
-  require_room(out, left, every);
+  Dataset out = in_file(path, left);
+  require_room(out, left);
   return settled(std::move(out));
 }
 
@@ -158,46 +147,8 @@ Dataset open_netcdf(Bytes bytes, const MemoryBound& memory) {
   check_kind(bytes);
   if (is_netcdf4(bytes)) return decode_netcdf(bytes, memory);
   Dataset out = unread(std::move(bytes));
-  require_room(out, memory, every);
+  require_room(out, memory);
   return settled(std::move(out));
-}
-
-NetcdfFile::NetcdfFile(const std::string& path, MemoryBound memory)
-    : in_file_(in_file(path, memory, false)), dataset_(in_file_) {
-  for (Variable& v : dataset_.variables)
-    if (on_both_axes(v)) {
-      std::visit([](auto& values) { values = {}; }, v.values);
-      v.unread.reset();
-    }
-  require_room(in_file_, memory, [](const Variable& v) { return !on_both_axes(v); });
-  load(dataset_);
-  dataset_ = with_plain_values(std::move(dataset_));
-}
-
-Values NetcdfFile::part(std::string_view variable, std::string_view along, Index first, Index count) const {
-  const Variable& v = in_file_.at(variable);
-  Index before = 1, length = 0, behind = 1;
-  for (const std::string& dimension : v.dimensions)
-    if (dimension == along)
-      length = in_file_.length(dimension);
-    else
-      (length > 0 ? behind : before) *= in_file_.length(dimension);
-  if (length == 0) return Conventions(v).unpacked(values_of(v, 0, asperity::count(v)));
-  Values out = values_of(v, 0, 0);
-  std::visit(
-      [&]<class List>(List& list) {
-        for (Index i = 0; i < before; ++i) {
-          const auto from = static_cast<std::size_t>((i * length + first) * behind);
-          Values next = values_of(v, from, static_cast<std::size_t>(count * behind));
-          const List& part = std::get<List>(next);
-          if (before == 1)
-            list = std::move(std::get<List>(next));
-          else
-            list.insert(list.end(), part.begin(), part.end());
-        }
-      },
-      out);
-  return Conventions(v).unpacked(std::move(out));
 }
 
 std::string netcdf_version() { return "NetCDF " ASPERITY_NETCDF_VERSION; }

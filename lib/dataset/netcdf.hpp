@@ -58,21 +58,6 @@ Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory = {});
 Dataset open_netcdf(const std::string& path, const MemoryBound& memory = {});
 Dataset open_netcdf(Bytes bytes, const MemoryBound& memory = {});
 
-/// A file on disk with its own order of axes and plain values; variables on both x and y are read in parts. A
-/// NetCDF-4 file is in memory as a whole.
-class NetcdfFile {
- public:
-  /// Reads everything else; throws DataError like decode_netcdf.
-  explicit NetcdfFile(const std::string& path, MemoryBound memory = {});
-
-  const Dataset& dataset() const { return dataset_; }
-  /// The values of a variable at `count` indices of the dimension `along`, starting at `first`.
-  Values part(std::string_view variable, std::string_view along, Index first, Index count) const;
-
- private:
-  Dataset in_file_, dataset_;
-};
-
 /// The bytes before the values of the last `deferred` variables, for a dataset too large for memory. These
 /// variables are of doubles and hold no values yet; their values follow in the file as from encode_values,
 /// variable by variable. The length depends only on names, types and numbers of values, so that a header with

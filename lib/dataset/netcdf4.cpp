@@ -103,7 +103,7 @@ void refuse_if_large(const std::vector<Header>& headers, const Extent& extent) {
     values += static_cast<double>(h.bytes);
     most = std::max(most, static_cast<double>(h.elements));
   }
-  require_memory(extent.times * values, most, extent);
+  require_memory(extent.times * values, most, extent.memory);
 }
 
 Dataset read_dataset(int file, const Extent& extent, std::size_t bytes) {

@@ -11,8 +11,7 @@ namespace asperity::netcdf {
 
 struct Extent {
   MemoryBound memory = {};
-  int times = 1;      // copies of the values in memory
-  bool whole = true;  // a whole variable will be converted to doubles
+  int times = 1;  // copies of the values in memory
 };
 
 // Sizes in the header are checked: the values are limited by the expansion of deflate, and all together by
@@ -21,9 +20,9 @@ Dataset read_netcdf4(std::string_view bytes, const Extent& extent);
 /// Loads the library, which a process with little address space left could not.
 void load_netcdf4();
 
-// Throws DataError where the values take more memory than is allowed; of the first `values` bytes, and of the
-// largest variable as doubles if it will be converted.
-void require_memory(double values, double largest, const Extent& extent);
+// Throws DataError where the values, of so many bytes, and the largest variable as doubles take more memory
+// than is allowed.
+void require_memory(double values, double largest, const MemoryBound& memory);
 
 // NetCDF-4 compresses, and may omit values never written: the limit is the expansion of deflate.
 std::size_t most_made_of(std::size_t bytes);

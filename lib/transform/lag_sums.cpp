@@ -17,18 +17,15 @@ Shape torus_for(const Grid& grid, Shape max_lag) {
 
 // put() brings a field into the half spectrum.
 template <class Put>
-Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads, const Ranks& ranks) {
+Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads) {
   constexpr Index group = RowTransform::rows;
-  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag), Ways::both, ranks);
+  const PrunedTransform transform(grid.shape, torus_for(grid, max_lag));
   HalfSpectrum half = transform.half_spectrum();
   put(transform, half);
   transform.filter(half, threads, [&](Index, Complex* block) {
     for (Index k = 0; k < transform.block_size(); ++k) block[k] = std::norm(block[k]);
   });
-  const Slabs lags_of_all(max_lag.nx + 1, ranks);
-  const Extent own = transform.slabs().own();
-  const Index period = transform.torus().ny,
-              rows = std::clamp(lags_of_all.rows() - own.first, Index{0}, own.count);
+  const Index period = transform.torus().ny, rows = max_lag.nx + 1;
   Field sums = large_field({rows, 2 * max_lag.ny + 1});
   parallel_ranges((rows + group - 1) / group, threads, [&](Index begin, Index end, int) {
     Field lags(group, period);
@@ -42,8 +39,7 @@ Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads, cons
     }
   });
   sums /= static_cast<double>(transform.torus().cells());
-  half = {};
-  return dealt_again(std::move(sums), transform.slabs(), lags_of_all);
+  return sums;
 }
 
 }  // namespace
@@ -51,13 +47,13 @@ Field sums_of(const Put& put, const Grid& grid, Shape max_lag, int threads, cons
 Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads) {
   return sums_of(
       [&](const PrunedTransform& transform, HalfSpectrum& half) { transform.forward_rows(f, half, threads); },
-      grid, max_lag, threads, alone());
+      grid, max_lag, threads);
 }
 
-Field lag_sums_of_rows(const RowSource& f, const Grid& grid, Shape max_lag, int threads, const Ranks& ranks) {
+Field lag_sums_of_rows(const RowSource& f, const Grid& grid, Shape max_lag, int threads) {
   return sums_of([&](const PrunedTransform& transform,
                      HalfSpectrum& half) { transform.forward_each_row(f, half, threads); },
-                 grid, max_lag, threads, ranks);
+                 grid, max_lag, threads);
 }
 
 }  // namespace asperity

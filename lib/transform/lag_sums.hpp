@@ -18,9 +18,7 @@ namespace asperity {
 
 /// C in row p, column Q + q.
 Field lag_sums(const Field& f, const Grid& grid, Shape max_lag, int threads = 1);
-/// The same of f row by row; of several ranks, each has its rows of f, and gets its own of the rows of C, as
-/// Slabs(P + 1, ranks) deals them.
-Field lag_sums_of_rows(const RowSource& f, const Grid& grid, Shape max_lag, int threads = 1,
-                       const Ranks& ranks = alone());
+/// The same of f row by row.
+Field lag_sums_of_rows(const RowSource& f, const Grid& grid, Shape max_lag, int threads = 1);
 
 }  // namespace asperity

@@ -111,10 +111,9 @@ void BasicPrunedTransform<Real>::shared_pass(const Shared& blocks, int threads, 
         }
         work(own.first + b, block.data(), worker);
         if (!blocks.back) continue;
-        if (blocks.inverse) columns_.inverse(block.data(), scratch.data());
-        const Number* columns = (blocks.inverse ? scratch : block).data();
+        columns_.inverse(block.data(), scratch.data());
         for (int r = 0; r < ranks; ++r)
-          rows_from_columns<width>(columns + rows(r).first, stride(), rows(r).count,
+          rows_from_columns<width>(scratch.data() + rows(r).first, stride(), rows(r).count,
                                    exchange.part(step, b, r).data());
       }
     });

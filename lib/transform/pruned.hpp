@@ -117,12 +117,10 @@ class BasicPrunedTransform {
       inverse_block(block, b, half, scratch);
     });
   }
-  /// As filter(), but transformed no more: the half spectrum gets the first nx rows of what work has made.
+  /// As filter(), but transformed no more: the half spectrum gets the first nx rows of what work has made. Of
+  /// one rank alone.
   template <class Work>
   void change_each_block(std::span<Number> half, int threads, Work work) const {
-    if (slabs_.shared())
-      return shared_pass({half, half, blocks(), false}, threads,
-                         [&](Index b, Number* block, int) { work(b, block); });
     pass(blocks(), threads, [&](Index b, Number* block, Number* scratch, int) {
       forward_block(half, b, block, scratch);
       work(b, block);
@@ -148,12 +146,11 @@ class BasicPrunedTransform {
     });
   }
 
-  // Blocks of all ranks' rows: of which half spectrum, if any, and back into which, transformed in x or not.
+  // Blocks of all ranks' rows: of which half spectrum, if any, and back into which.
   struct Shared {
     std::optional<std::span<const Number>> half;
     std::optional<std::span<Number>> back;
     Index count;
-    bool inverse = true;
   };
   using Visit = std::function<void(Index b, Number* block, int worker)>;
   void shared_pass(const Shared& blocks, int threads, const Visit& work) const;

@@ -24,21 +24,21 @@ void AxisProducts::add_row(Eigen::MatrixXd& gram, Index i, const Eigen::VectorXd
   }
 }
 
-void AxisProducts::add(Eigen::MatrixXd& gram, const Field& points, Index first) const {
-  for (Index i = 0; i < points.rows(); ++i) add_row(gram, first + i, points.row(i).matrix().transpose());
+void AxisProducts::add(Eigen::MatrixXd& gram, const Field& points) const {
+  for (Index i = 0; i < points.rows(); ++i) add_row(gram, i, points.row(i).matrix().transpose());
 }
 
-Eigen::VectorXd AxisProducts::sums(const Field& z, Index first) const {
-  const Eigen::MatrixXd all = x_.middleRows(first, z.rows()).transpose() * (z.matrix() * y_);
+Eigen::VectorXd AxisProducts::sums(const Field& z) const {
+  const Eigen::MatrixXd all = x_.transpose() * (z.matrix() * y_);
   Eigen::VectorXd out(count());
   for (Index t = 0; const auto& [a, b] : terms_) out(t++) = all(a, b);
   return out;
 }
 
-Field AxisProducts::combined(const Eigen::VectorXd& factors, Index row, Index column, Shape shape) const {
+Field AxisProducts::combined(const Eigen::VectorXd& factors) const {
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(x_.cols(), y_.cols());
   for (Index t = 0; const auto& [a, b] : terms_) all(a, b) = factors(t++);
-  return x_.middleRows(row, shape.nx) * (all * y_.middleRows(column, shape.ny).transpose());
+  return x_ * (all * y_.transpose());
 }
 
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& gram, double share, double least) {

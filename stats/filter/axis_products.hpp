@@ -39,12 +39,12 @@ class AxisProducts {
   Eigen::MatrixXd none() const { return Eigen::MatrixXd::Zero(count(), count()); }
   /// Adds to (1) the points of row i, which are 1, others 0.
   void add_row(Eigen::MatrixXd& gram, Index i, const Eigen::VectorXd& points) const;
-  /// Adds those of a strip whose first row is `first`.
-  void add(Eigen::MatrixXd& gram, const Field& points, Index first) const;
-  /// Of each term, Σ φ_t z over such a strip of heights, zero where missing.
-  Eigen::VectorXd sums(const Field& z, Index first) const;
-  /// Σ_t factors(t) φ_t at the points (row + i, column + j).
-  Field combined(const Eigen::VectorXd& factors, Index row, Index column, Shape shape) const;
+  /// Adds those of all rows.
+  void add(Eigen::MatrixXd& gram, const Field& points) const;
+  /// Of each term, Σ φ_t z over heights, zero where missing.
+  Eigen::VectorXd sums(const Field& z) const;
+  /// Σ_t factors(t) φ_t.
+  Field combined(const Eigen::VectorXd& factors) const;
 
  private:
   Eigen::MatrixXd x_ = {}, y_ = {}, of_complete_row_ = {};

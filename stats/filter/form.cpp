@@ -21,23 +21,30 @@ double first_valid(const Field& z) {
   throw DataError("heights", "every point is missing");
 }
 
-// Of the first rank's rows.
-double first_valid(const Field& z, const Ranks& ranks) {
-  std::vector<double> first;
-  if (ranks.rank() == 0) first.push_back(first_valid(z));
-  return gathered(ranks, first).front();
-}
-
 // The mean of the rows' means; NaN where a height is missing.
-double mean_of_rows(const Eigen::ArrayXd& own, const Ranks& ranks) {
-  const std::vector<double> all = gathered(ranks, std::vector<double>(own.begin(), own.end()));
-  return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+double mean_of_rows(const Eigen::ArrayXd& means) {
+  return std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
 }
 
 Mean mean_of_valid(const Field& z) {
-  MeanSum sum;
-  sum.add(z);
-  return sum.mean();
+  const double base = first_valid(z);
+  ValidSum total;
+  for (Index i = 0; i < z.rows(); ++i) {
+    const ValidSum row = sum_of_valid(z.row(i) - base);
+    total.sum += row.sum;
+    total.count += row.count;
+  }
+  return {base, total.sum / total.count};
+}
+
+// What is left of c.
+Eigen::VectorXd step_of(const AxisProducts& products, const Field& heights, const Eigen::MatrixXd& gram,
+                        int degree) {
+  const auto solution = solve_positive(gram, products.sums(zero_filled(heights)), least_pivot);
+  if (!solution)
+    throw ParameterError("remove-form", "'" + std::to_string(degree) +
+                                            "' is too high a degree for the points that are not missing");
+  return *solution;
 }
 
 }  // namespace
@@ -55,25 +62,8 @@ Eigen::MatrixXd gram_polynomials(Index n, int degree) {
   return p;
 }
 
-void MeanSum::add(const Field& strip) {
-  if (!base_) {
-    if (strip.isNaN().all()) return;
-    base_ = first_valid(strip);
-  }
-  for (Index i = 0; i < strip.rows(); ++i) {
-    const ValidSum row = sum_of_valid(strip.row(i) - *base_);
-    total_.sum += row.sum;
-    total_.count += row.count;
-  }
-}
-
-Mean MeanSum::mean() const {
-  if (!base_) throw DataError("heights", "every point is missing");
-  return {*base_, total_.sum / total_.count};
-}
-
-Mean mean_above_base(const Field& z, const Ranks& ranks) {
-  const double base = first_valid(z, ranks), above = mean_of_rows((z - base).rowwise().mean(), ranks);
+Mean mean_above_base(const Field& z) {
+  const double base = first_valid(z), above = mean_of_rows((z - base).rowwise().mean());
   return std::isnan(above) ? mean_of_valid(z) : Mean{base, above};
 }
 
@@ -85,59 +75,20 @@ AxisProducts polynomials(Shape field, int degree) {
   return {std::move(along_x), std::move(along_y), std::move(terms)};
 }
 
-FormFit::FormFit(Shape field, int degree) : degree_(degree) {
+Field remove_form(Field heights, int degree) {
   if (degree < 0 || degree > largest_form_degree)
     throw ParameterError("remove-form", "'" + std::to_string(degree) + "' is not a degree from 0 to " +
                                             std::to_string(largest_form_degree));
-  products_ = polynomials(field, degree);
-  gram_ = products_.none();
-  sums_ = Eigen::VectorXd::Zero(products_.count());
-}
-
-void FormFit::add(const Field& strip, Index first) {
-  Eigen::VectorXd sums = products_.sums(strip, first);
-  if (sums.hasNaN()) {
-    sums = products_.sums(zero_filled(strip), first);
-    missing_ = true;
-  }
-  sums_ += sums;
-  if (steps_.empty()) products_.add(gram_, validity(strip), first);
-}
-
-void FormFit::end_pass() {
-  Eigen::VectorXd step = sums_;
-  if (missing_) {
-    const auto solution = solve_positive(gram_, sums_, least_pivot);
-    if (!solution)
-      throw ParameterError("remove-form", "'" + std::to_string(degree_) +
-                                              "' is too high a degree for the points that are not missing");
-    step = *solution;
-  }
-  steps_.push_back(std::move(step));
-  sums_.setZero();
-}
-
-void FormFit::remove(Eigen::Ref<Field> heights, Index row, Index column, std::size_t pass) const {
-  for (; pass < steps_.size(); ++pass)
-    heights -= products_.combined(steps_[pass], row, column, {heights.rows(), heights.cols()});
-}
-
-Field remove_mean(Field heights, const Ranks& ranks) {
-  heights -= first_valid(heights, ranks);
-  const double level = mean_of_rows(heights.rowwise().mean(), ranks);
+  heights -= first_valid(heights);
+  const double level = mean_of_rows(heights.rowwise().mean());
   heights -= std::isnan(level) ? mean_of_valid(heights).value() : level;
-  return heights;
-}
-
-Field remove_form(Field heights, int degree) {
-  FormFit fit(shape_of(heights), degree);
-  heights = remove_mean(std::move(heights));
   if (degree == 0) return heights;
-  for (std::size_t pass = 0; !fit.done(); ++pass) {
-    fit.add(heights, 0);
-    fit.end_pass();
-    fit.remove(heights, 0, 0, pass);
-  }
+  const AxisProducts products = polynomials(shape_of(heights), degree);
+  const bool missing = has_missing(heights);
+  Eigen::MatrixXd gram = products.none();  // (3)
+  if (missing) products.add(gram, validity(heights));
+  for (int pass = 0; pass < (missing ? 3 : 2); ++pass)
+    heights -= products.combined(missing ? step_of(products, heights, gram, degree) : products.sums(heights));
   return heights;
 }
 

@@ -16,18 +16,14 @@
 ///           remaining heights: within ε √(nx ny) of the form's rms. (2) is solved three times; points for
 ///           which a pivot of (3) is below 1e-10 of the largest are refused.
 /// Cost      degree 0: two passes over the data; else two of 4 (d+1) products a point; with missing heights
-///           three, (d+1)² more a point. Of any field (d+1)⁴/4 a row.
+///           three, (d+1)² more a point and (d+1)⁴/4 a row.
 ///
 /// J. P. Gram, J. reine angew. Math. 94 (1883) 41-73.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include <Eigen/Core>
 
 #include "core/field.hpp"
-#include "core/ranks.hpp"
 #include "stats/filter/axis_products.hpp"
 #include "stats/filter/missing.hpp"
 
@@ -46,54 +42,12 @@ struct Mean {
 
   double value() const { return base + above; }
 };
-/// The sums of a field that comes in strips.
-class MeanSum {
- public:
-  void add(const Field& strip);
-  double count() const { return total_.count; }
-  /// Throws DataError("heights", …) when every point is missing.
-  Mean mean() const;
+/// Throws DataError("heights", …) when every point is missing.
+Mean mean_above_base(const Field& z);
+inline double mean(const Field& z) { return mean_above_base(z).value(); }
 
- private:
-  std::optional<double> base_;
-  ValidSum total_;
-};
-
-/// Throws DataError("heights", …) when every point is missing. Of several ranks, each has some rows of a
-/// field without missing points.
-Mean mean_above_base(const Field& z, const Ranks& ranks = alone());
-inline double mean(const Field& z, const Ranks& ranks = alone()) { return mean_above_base(z, ranks).value(); }
-
-/// (1) or (2) of a field that comes in strips of rows, by passes over it until done().
-class FormFit {
- public:
-  /// Throws ParameterError("remove-form") unless 0 ≤ degree ≤ 20.
-  FormFit(Shape field, int degree);
-
-  /// Heights whose first row is the field's row `first`, near zero, without the form of earlier passes.
-  void add(const Field& strip, Index first);
-  /// Throws ParameterError("remove-form") if the measured points do not determine the form.
-  void end_pass();
-  int degree() const { return degree_; }
-  bool complete() const { return !missing_; }
-  const AxisProducts& products() const { return products_; }
-  const Eigen::MatrixXd& gram() const { return gram_; }  ///< (3), after a pass
-  bool done() const { return steps_.size() == (missing_ ? 3 : 2); }
-  /// Subtracts the form found by the passes from `pass` on; the first height is the field's (row, column).
-  void remove(Eigen::Ref<Field> heights, Index row, Index column = 0, std::size_t pass = 0) const;
-
- private:
-  int degree_;
-  AxisProducts products_;
-  Eigen::VectorXd sums_;                ///< Σ P_a P_b z of the present pass
-  Eigen::MatrixXd gram_;                ///< (3)
-  std::vector<Eigen::VectorXd> steps_;  ///< what each pass added to c
-  bool missing_ = false;
-};
-
-/// The heights above (1), or (2), in their place; throws as FormFit.
+/// The heights above (1), or (2), in their place. Throws ParameterError("remove-form") unless 0 ≤ degree ≤ 20
+/// and if the measured points do not determine the form, DataError as mean_above_base.
 Field remove_form(Field heights, int degree = 0);
-/// The same of degree 0, of several ranks as mean_above_base.
-Field remove_mean(Field heights, const Ranks& ranks = alone());
 
 }  // namespace asperity

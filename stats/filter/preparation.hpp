@@ -27,7 +27,6 @@ struct Form {
 
   /// The degree of a polynomial that takes the long waves which this form takes.
   int modes() const { return kind == Kind::polynomial ? degree : 2; }
-  bool is_mean() const { return kind == Kind::polynomial && degree == 0; }
   std::string words() const;  ///< "plane", "degree 3", "sphere"
 };
 

@@ -32,22 +32,20 @@ HeightErrors::HeightErrors(const Grid& grid, double mean, double sq, int degree)
   if (degree == 0) return;
   products_ = polynomials(grid.shape, degree + 2);
   gram_ = products_.none();
-  modes_ = Eigen::VectorXd::Zero(products_.count());
 }
 
-void HeightErrors::add(const Field& rows, int threads, const Ranks& ranks) {
+void HeightErrors::add(const Field& z, int threads) {
   if (degree_ > 0) {
-    modes_ += products_.sums(zero_filled((rows - mean_) / sq_), rows_);
-    products_.add(gram_, validity(rows), rows_);
-    rows_ += rows.rows();
+    modes_ = products_.sums(zero_filled((z - mean_) / sq_));
+    products_.add(gram_, validity(z));
   }
   const auto fill = [&](Index i, LocalSums::Values& values) {
-    const Eigen::ArrayXd x = (rows.row(i).transpose() - mean_) / sq_, square = x.square();
+    const Eigen::ArrayXd x = (z.row(i).transpose() - mean_) / sq_, square = x.square();
     auto set = [&](Local a, const auto& value) { values.col(a + 1) = value.matrix(); };
     set(first, x), set(second, square), set(third, square * x), set(fourth, square.square());
     set(absolute, x.abs()), set(sign, x.sign());
   };
-  sums_.add_rows(rows.rows(), threads, fill, ranks);
+  sums_.add_rows(z.rows(), threads, fill);
 }
 
 // The heights lack the modes of the form, so that their power is that of the others.
@@ -96,9 +94,9 @@ QuantileErrors::QuantileErrors(const Grid& grid, const FieldExtent& extent, std:
 }
 
 // Class k holds heights up to the k-th and above the one before.
-void QuantileErrors::add(const Field& rows, int) {
-  errors_.add(rows,
-              [this](double z) { return std::ranges::lower_bound(ascending_, z) - ascending_.begin(); });
+void QuantileErrors::add(const Field& z) {
+  errors_.add(
+      z, [this](double height) { return std::ranges::lower_bound(ascending_, height) - ascending_.begin(); });
 }
 
 double QuantileErrors::with_mean(std::size_t k, double density) const {

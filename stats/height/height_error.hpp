@@ -42,8 +42,7 @@ class HeightErrors {
 
   /// Of a field with this mean and rms height, measured from a form of this degree.
   HeightErrors(const Grid& grid, double mean, double sq, int degree = 0);
-  /// The next rows of the field. Of several ranks, each has its rows of the whole field, and the degree is 0.
-  void add(const Field& rows, int threads = 1, const Ranks& ranks = alone());
+  void add(const Field& z, int threads = 1);
   /// Adds no more.
   void finish(const FieldExtent& extent);
 
@@ -64,7 +63,6 @@ class HeightErrors {
   AxisProducts products_ = {};  // P_a P_b, a + b ≤ d + 2
   Eigen::MatrixXd gram_ = {};   // of these over the points
   Eigen::VectorXd modes_ = {};  // Σ P_a P_b (z - mean)/Sq
-  Index rows_ = 0;              // so far
   Index taken_ = 0, next_ = 0;  // modes of the form, and beyond it
   double power_ = NAN;          // P
   LocalSums sums_;
@@ -75,7 +73,7 @@ class HeightErrors {
 class QuantileErrors {
  public:
   QuantileErrors(const Grid& grid, const FieldExtent& extent, std::vector<double> heights);
-  void add(const Field& rows, int = 1);
+  void add(const Field& z);
   /// Adds no more.
   void finish() { errors_.accumulate(); }
 

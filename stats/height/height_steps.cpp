@@ -11,37 +11,35 @@ constexpr double near = 50;                      // steps that a first estimate 
 constexpr double off = 0.1;                      // of a step
 
 // Runs apart by more than the least difference are different values.
-std::vector<double> different(const std::vector<HeightBin>& runs) {
+std::vector<double> different(const std::vector<HeightRun>& runs) {
   std::vector<double> out;
   if (runs.empty()) return out;
-  const double least = same * (runs.back().highest - runs.front().lowest);
-  auto add = [&](double height) {
+  const double least = same * (runs.back().height - runs.front().height);
+  for (const auto& [count, height] : runs)
     if (out.empty() || height - out.back() > least) out.push_back(height);
-  };
-  for (const HeightBin& run : runs) add(run.lowest), add(run.highest);
   return out;
 }
 
 }  // namespace
 
-std::vector<HeightBin> runs_of_equal(const Field& z) {
+std::vector<HeightRun> runs_of_equal(const Field& z) {
   std::vector<double> sorted(z.data(), z.data() + z.size());
   std::erase_if(sorted, [](double height) { return !std::isfinite(height); });
   std::ranges::sort(sorted);
-  std::vector<HeightBin> out;
+  std::vector<HeightRun> out;
   for (const double height : sorted)
-    if (!out.empty() && out.back().highest == height)
+    if (!out.empty() && out.back().height == height)
       ++out.back().count;
     else
-      out.push_back({1, height, height});
+      out.push_back({1, height});
   return out;
 }
 
-HeightSteps height_steps(const std::vector<HeightBin>& runs) {
+HeightSteps height_steps(const std::vector<HeightRun>& runs) {
   const std::vector<double> values = different(runs);
   HeightSteps out{.values = std::ssize(values), .lowest = values.empty() ? NAN : values.front()};
   double points = 0;
-  for (const HeightBin& run : runs) points += run.count;
+  for (const HeightRun& run : runs) points += run.count;
   if (values.size() < 2 || static_cast<double>(values.size()) > 0.5 * points) return out;
   std::vector<double> gaps;
   for (std::size_t k = 1; k < values.size(); ++k) gaps.push_back(values[k] - values[k - 1]);

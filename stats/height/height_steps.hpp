@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "stats/height/distribution.hpp"
-#include "stats/height/order.hpp"
 
 namespace asperity {
 
@@ -28,9 +27,13 @@ struct HeightSteps {
   double step = 0;  ///< 0 where they stand on none
   Index steps = 0;  ///< in the range
 };
-/// Of runs of equal heights, or of bins of few, ascending.
-HeightSteps height_steps(const std::vector<HeightBin>& runs);
-std::vector<HeightBin> runs_of_equal(const Field& z);
+/// Equal heights.
+struct HeightRun {
+  double count = 0, height = 0;
+};
+/// Ascending, without missing points.
+std::vector<HeightRun> runs_of_equal(const Field& z);
+HeightSteps height_steps(const std::vector<HeightRun>& runs);
 inline HeightSteps height_steps(const Field& z) { return height_steps(runs_of_equal(z)); }
 
 /// The step of heights that come in parts, from neighbours: their least difference, where one pair in a

@@ -57,27 +57,12 @@ MaterialRatioCurve::MaterialRatioCurve(const Field& z, int threads)
   if (descending_.size() < 2) throw DataError("heights", "a material ratio curve needs at least two heights");
 }
 
-MaterialRatioCurve::MaterialRatioCurve(const std::vector<HeightBin>& ascending) {
-  double rank = 0;
-  auto add = [&](double at, double height) {
-    ranks_.push_back(at);
-    descending_.push_back(height);
-  };
-  for (auto run = ascending.rbegin(); run != ascending.rend(); ++run) {
-    add(rank, run->highest);
-    if (run->count > 1) add(rank + run->count - 1, run->lowest);
-    rank += run->count;
-  }
-}
-
 std::size_t MaterialRatioCurve::piece_at(double rank) const {
-  if (ranks_.empty()) return static_cast<std::size_t>(std::clamp(std::floor(rank), 0.0, last() - 1));
-  return static_cast<std::size_t>(std::upper_bound(ranks_.begin() + 1, ranks_.end() - 1, rank) -
-                                  ranks_.begin() - 1);
+  return static_cast<std::size_t>(std::clamp(std::floor(rank), 0.0, last() - 1));
 }
 
 double MaterialRatioCurve::within(std::size_t k, double rank) const {
-  const double fraction = (rank - rank_of(k)) / (rank_of(k + 1) - rank_of(k));
+  const double fraction = rank - rank_of(k);
   return descending_[k] + fraction * (descending_[k + 1] - descending_[k]);
 }
 
@@ -92,7 +77,7 @@ double MaterialRatioCurve::ratio(double height) const {
   if (below == descending_.end()) return 1;
   const auto k = static_cast<std::size_t>(below - 1 - descending_.begin());
   const double fraction = (descending_[k] - height) / (descending_[k] - *below);
-  return (rank_of(k) + fraction * (rank_of(k + 1) - rank_of(k))) / last();
+  return (rank_of(k) + fraction) / last();
 }
 
 template <class Visit>

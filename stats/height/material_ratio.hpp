@@ -29,12 +29,9 @@
 /// Symbols   z  heights [m]      p, q, Smr  shares of the area      c, Sk, Spk, Svk  [m]
 ///           Vm, Vv  volumes per area [m³/m²]      φ, Φ  the Gaussian's density and distribution
 /// Accuracy  Exact for the piecewise straight curve (1) to round-off; for the smooth curve of a population
-///           the bias is O(1/N). (5) to first order in 1/N. By runs (stats/height/order.hpp) the error of
-///           c(p) is below a cell's width w, 2e-6 to 2e-5 Sq, typically w/√(4n) for n heights per run, and
-///           that of volumes is smaller; of two intervals whose falls differ by less than w either may be the
-///           core. Falls and levels count as equal within 256 ε max |z|; lengths below that are 0.
-/// Cost      a sort, N log N, in threads; then four passes for (2), one for (3) and (4). By runs no sort, and
-///           a few binary searches per run for (2).
+///           the bias is O(1/N). (5) to first order in 1/N. Falls and levels count as equal within
+///           256 ε max |z|; lengths below that are 0.
+/// Cost      a sort, N log N, in threads; then four passes for (2), one for (3) and (4).
 ///
 /// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3). E. J. Abbott, F. A. Firestone,
 /// Mechanical Engineering 55 (1933) 569-572. R. R. Bahadur, A note on quantiles in large samples,
@@ -45,7 +42,6 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/height/order.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 
@@ -67,8 +63,6 @@ class MaterialRatioCurve {
  public:
   /// Throws DataError("heights", …) for fewer than two heights.
   explicit MaterialRatioCurve(const Field& z, int threads = 1);
-  /// Straight from the lowest to the highest height of each run; of at least two heights.
-  explicit MaterialRatioCurve(const std::vector<HeightBin>& ascending);
 
   /// c(p), 0 ≤ p ≤ 1; throws ParameterError("material-ratio", …) outside.
   double height(double ratio) const;
@@ -87,7 +81,7 @@ class MaterialRatioCurve {
     double upper, lower;
   };
 
-  double rank_of(std::size_t k) const { return ranks_.empty() ? static_cast<double>(k) : ranks_[k]; }
+  static double rank_of(std::size_t k) { return static_cast<double>(k); }
   double last() const { return rank_of(descending_.size() - 1); }
   std::size_t piece_at(double rank) const;          ///< the k of the corners k, k + 1 beside it
   double within(std::size_t k, double rank) const;  ///< c(rank/(N-1)) on that piece
@@ -102,7 +96,7 @@ class MaterialRatioCurve {
   void segments(double begin, double stop, Visit visit) const;  ///< ranks
   double area(double from, double to, double level) const;
 
-  std::vector<double> descending_, ranks_;  ///< heights of the corners, and their ranks; 0, 1, 2, … if empty
+  std::vector<double> descending_;
 };
 
 /// The estimates that heights are measured with.

@@ -38,7 +38,7 @@ class DerivativeErrors {
   using Function = std::function<double(const Derivatives&)>;
 
   explicit DerivativeErrors(const Grid& grid);
-  /// Of strips in order, each but the last with a halo of two rows; `level` is the mean of the whole field.
+  /// `level` is the mean of the field.
   void add(const Strip& strip, double level, int threads = 1);
   /// Adds no more.
   void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }

@@ -1,7 +1,7 @@
 /// Means over neighbouring points of a field, row by row.
 ///
 /// On a periodic grid every point has all neighbours; otherwise only points that have them are visited. Sums
-/// of rows are added up in order, so that results do not depend on the number of threads or strips. A side,
+/// of rows are added up in order, so that results do not depend on the number of threads. A side,
 /// cell or stencil with a missing height is NaN and left out of the sum and of the divisor.
 #pragma once
 
@@ -18,27 +18,24 @@ namespace asperity {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-/// Whole rows of a field: `core` of them, followed by a halo of the next rows, their neighbours. On a
-/// periodic grid the first rows follow the last one; a strip of all rows needs no halo.
+/// A field and its grid. On a periodic one the first rows follow the last one.
 struct Strip {
   const Field& z;
-  Grid grid;  ///< of the whole field
-  Index core;
+  Grid grid;
 
-  static Strip whole(const Field& z, const Grid& grid) { return {z, grid, z.rows()}; }
-  bool closed() const { return grid.periodic.both() && z.rows() == grid.shape.nx; }
+  static Strip whole(const Field& z, const Grid& grid) { return {z, grid}; }
   /// Points of the field's shorter side; unlimited if it is periodic.
   Index shortest_side() const {
     return grid.periodic.both() ? std::numeric_limits<Index>::max() : std::min(grid.shape.nx, grid.shape.ny);
   }
 };
 
-/// Rows of a strip, with `margin` more points at the end if the field is periodic.
+/// Rows of a field, with `margin` more points at the end if it is periodic.
 class NeighbourRows {
  public:
   NeighbourRows(const Strip& strip, Index margin)
       : z_(strip.z),
-        rows_(std::min(strip.core, z_.rows() + (strip.closed() ? margin : 0) - margin)),
+        rows_(z_.rows() - (strip.grid.periodic.both() ? 0 : margin)),
         columns_(z_.cols() - (strip.grid.periodic.both() ? 0 : margin)),
         margin_(strip.grid.periodic.both() ? margin : 0) {}
 

@@ -81,7 +81,7 @@ void SlopeSums::add(const Strip& strip, int threads) {
   if (strip.shortest_side() < 2) return;
   const NeighbourRows rows(strip, 1);
   const Index sides_y = rows.columns(), ny = strip.z.cols();
-  add_rows(sums_, strip.core, threads, [&](Index i) {
+  add_rows(sums_, strip.z.rows(), threads, [&](Index i) {
     const Row row = rows(i);
     RowSums<3> of_row{};
     of_row[1] = sum_of_valid((row.segment(1, sides_y) - row.head(sides_y)).square());

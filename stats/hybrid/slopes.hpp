@@ -44,7 +44,7 @@ struct RmsSlope {
 /// By (3), or (1) with its error, of heights without missing points. NaN of one point along a free axis.
 RmsSlope rms_slope(const Field& heights, const Grid& grid);
 
-/// The sums of a field that comes in strips.
+/// The sums of a field.
 class SlopeSums {
  public:
   void add(const Strip& strip, int threads = 1);

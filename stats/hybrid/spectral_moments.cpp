@@ -76,7 +76,7 @@ void SpectralMomentSums::add(const Strip& strip, double level, int threads) {
   if (strip.shortest_side() < 3) return;
   const NeighbourRows sides(strip, 1), curves(strip, 2);
   const Index ny = strip.z.cols();
-  add_rows(sums_, strip.core, threads, [&](Index i) {
+  add_rows(sums_, strip.z.rows(), threads, [&](Index i) {
     const Row here = curves(i);
     Sums out{};
     out[s00] = sum_of_valid((here.head(ny) - level).square());

@@ -55,10 +55,10 @@ struct SpectralMoments {
   SpectralMoments without_round_off(const Grid& grid, double difference) const;
 };
 
-/// The sums of a field that comes in strips, each but the last with a halo of two rows.
+/// The sums of a field.
 class SpectralMomentSums {
  public:
-  /// `level` is the mean of the whole field.
+  /// `level` is the mean of the field.
   void add(const Strip& strip, double level, int threads = 1);
   /// Throws DataError("heights", …) without 3 × 3 measured points.
   SpectralMoments moments(const Grid& grid) const;

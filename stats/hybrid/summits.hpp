@@ -49,12 +49,12 @@ struct CountedSummits : Summits {
   double width = 0;     ///< √ of the mean number of points of a plateau
 };
 
-/// The sums of a field that comes in strips, each but the last with a halo of two rows.
+/// The sums of a field.
 class SummitSums {
  public:
   /// Heights that round to the same multiple of `rounding` are equal.
   SummitSums(double rounding = 0) : finder_(rounding) {}
-  /// `level` is the mean of the whole field.
+  /// `level` is the mean of the field.
   void add(const Strip& strip, double level, int threads = 1);
   /// Throws DataError("heights", …) without 3 × 3 measured points. Without a summit, density and count are 0
   /// and the others NaN.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
@@ -33,14 +34,14 @@ double log_gaussian(double x) {
                  : -0.5 * x * x - std::log(-x * std::sqrt(2 * std::numbers::pi)) - 1 / (x * x);
 }
 
-double kolmogorov_smirnov(double n, const auto& for_each_run) {
-  double largest = 0;
-  for_each_run([&](const HeightBin& run, double below) {
-    const double low = gsl_cdf_ugaussian_P(run.lowest),
-                 high = run.count > 1 ? gsl_cdf_ugaussian_P(run.highest) : low;
-    largest = std::max({largest, low - below / n, (below + 1) / n - low, high - (below + run.count - 1) / n,
-                        (below + run.count) / n - high});
-  });
+double kolmogorov_smirnov(const std::vector<double>& x) {
+  const auto n = static_cast<double>(x.size());
+  double largest = 0, below = 0;
+  for (const double height : x) {
+    const double phi = gsl_cdf_ugaussian_P(height);
+    largest = std::max({largest, phi - below / n, (below + 1) / n - phi});
+    ++below;
+  }
   return std::sqrt(n) * largest;
 }
 
@@ -50,41 +51,27 @@ double anderson_darling_term(double i, double n, double x) {
   return rank * log_gaussian(x) + (2 - rank) * log_gaussian(-x) + 1;
 }
 
-// The terms of a run are those of a parabola through the first, the middle and the last.
-double anderson_darling(double n, const auto& for_each_run) {
-  double sum = 0;
-  for_each_run([&](const HeightBin& run, double below) {
-    const double m = run.count, first = anderson_darling_term(below, n, run.lowest);
-    if (m == 1) {
-      sum += first;
-      return;
-    }
-    const double last = anderson_darling_term(below + m - 1, n, run.highest),
-                 middle = anderson_darling_term(below + (m - 1) / 2, n, 0.5 * (run.lowest + run.highest));
-    sum += m * (middle + (first + last - 2 * middle) * (m + 1) / (6 * (m - 1)));
-  });
+double anderson_darling(const std::vector<double>& x) {
+  double sum = 0, below = 0;
+  for (const double height : x) sum += anderson_darling_term(below++, static_cast<double>(x.size()), height);
   return -sum;
 }
 
 // How many heights lie below each edge between B bins.
-std::vector<double> counts_below_edges(double n, const auto& for_each_run, int bins) {
+std::vector<double> counts_below_edges(const std::vector<double>& x, int bins) {
   std::vector<double> counts;
-  auto edge = [&] { return gsl_cdf_ugaussian_Pinv(static_cast<double>(counts.size() + 1) / bins); };
-  double at = edge();
-  for_each_run([&](const HeightBin& run, double below) {
-    for (; static_cast<int>(counts.size()) < bins - 1 && at <= run.highest; at = edge())
-      counts.push_back(at <= run.lowest ? below
-                                        : below + std::ceil((at - run.lowest) / (run.highest - run.lowest) *
-                                                            (run.count - 1)));
-  });
-  counts.resize(static_cast<std::size_t>(bins - 1), n);
+  for (int b = 1; b < bins; ++b) {
+    const auto edge = std::ranges::lower_bound(x, gsl_cdf_ugaussian_Pinv(static_cast<double>(b) / bins));
+    counts.push_back(static_cast<double>(edge - x.begin()));
+  }
   return counts;
 }
 
-double pearson(double n, const auto& for_each_run, int bins) {
+double pearson(const std::vector<double>& x, int bins) {
+  const auto n = static_cast<double>(x.size());
   const double expected = n / bins;
   double sum = 0, lower = 0;
-  std::vector<double> edges = counts_below_edges(n, for_each_run, bins);
+  std::vector<double> edges = counts_below_edges(x, bins);
   edges.push_back(n);
   for (const double upper : edges) {
     sum += std::pow(upper - lower - expected, 2) / expected;
@@ -156,10 +143,10 @@ EffectiveSampleSize GaussianityTest::independent(const EffectiveSampleSize& size
 GaussianityTest::GaussianityTest(const EffectiveSampleSize& size)
     : bins_(bins_for(size)), correlated_(size, bins_), independent_(independent(size), bins_) {}
 
-std::array<GoodnessOfFit, 4> GaussianityTest::judge(double n, const auto& for_each_run,
-                                                    const Moments& moments) const {
-  const double jb = correlated_.jarque_bera(moments), ks = kolmogorov_smirnov(n, for_each_run),
-               ad = anderson_darling(n, for_each_run), chi = pearson(n, for_each_run, bins_);
+std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const Field& z, const Moments& moments) const {
+  const std::vector<double> x = sorted(z, moments);
+  const double jb = correlated_.jarque_bera(moments), ks = kolmogorov_smirnov(x), ad = anderson_darling(x),
+               chi = pearson(x, bins_);
   std::array<GoodnessOfFit, 4> out = goodness_of_fit_tests();
   auto set = [](GoodnessOfFit& fit, double statistic, double p, double naive) {
     fit.statistic = statistic, fit.p = p, fit.naive_p = naive;
@@ -174,28 +161,6 @@ std::array<GoodnessOfFit, 4> GaussianityTest::judge(double n, const auto& for_ea
   set(out[3], chi, weighted_chi_squared_exceedance(correlated_.pearson, chi),
       weighted_chi_squared_exceedance(independent_.pearson, chi));
   return out;
-}
-
-std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const Field& z, const Moments& moments) const {
-  const std::vector<double> x = sorted(z, moments);
-  auto for_each_run = [&](auto visit) {
-    for (double below = 0; const double height : x) visit(HeightBin{1, height, height}, below++);
-  };
-  return judge(static_cast<double>(x.size()), for_each_run, moments);
-}
-
-std::array<GoodnessOfFit, 4> GaussianityTest::operator()(const std::vector<HeightBin>& ascending,
-                                                         const Moments& moments) const {
-  auto normalised = [&](double height) { return (height - moments.mean) / moments.sq; };
-  auto for_each_run = [&](auto visit) {
-    double below = 0;
-    for (const auto& [count, lowest, highest] : ascending) {
-      visit(HeightBin{count, normalised(lowest), normalised(highest)}, below);
-      below += count;
-    }
-    return below;
-  };
-  return judge(for_each_run([](const HeightBin&, double) {}), for_each_run, moments);
 }
 
 }  // namespace asperity

@@ -21,12 +21,8 @@
 /// Accuracy  The distributions are limits for many independent patches, N/S_2 ≫ 1. The rate of false alarms
 ///           of 300 fields is within sampling error of the nominal 5 % from N/S_2 = 800 on
 ///           (tests/stats/gaussianity.cpp). Errors of p itself: 3e-4 for A², a relative 1e-9 for χ²,
-///           √(p(1-p)/8192) for KS, with a least p of 1/8193; the error of estimated S_k adds to them. By
-///           runs (stats/height/order.hpp), with s the largest share of heights in a run and w the width of
-///           its cell at the mean, per Sq: KS within √N s, A² within 15 √N w KS, χ² within
-///           4 B s [√(N χ²) + B s N], bounds for all heights of all runs at one end.
-/// Cost      set-up some 0.2 s, mostly KS' simulation; per field a sort and 2 N logarithms, by runs 6 per
-///           run.
+///           √(p(1-p)/8192) for KS, with a least p of 1/8193; the error of estimated S_k adds to them.
+/// Cost      set-up some 0.2 s, mostly KS' simulation; per field a sort and 2 N logarithms.
 ///
 /// C. M. Jarque, A. K. Bera, Int. Stat. Rev. 55 (1987) 163-172; T. W. Anderson, D. A. Darling, Ann. Math.
 /// Stat. 23 (1952) 193-212; H. W. Lilliefors, J. Am. Stat. Assoc. 62 (1967) 399-402; H. Chernoff, E. L.
@@ -36,10 +32,8 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/field.hpp"
-#include "stats/height/order.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/null_distribution.hpp"
@@ -71,9 +65,6 @@ class GaussianityTest {
   static EffectiveSampleSize independent(const EffectiveSampleSize& size);
   /// The tests in the order (1)–(4); `moments` are those of z. Missing points are left out.
   std::array<GoodnessOfFit, 4> operator()(const Field& z, const Moments& moments) const;
-  /// Of a field that came in strips.
-  std::array<GoodnessOfFit, 4> operator()(const std::vector<HeightBin>& ascending,
-                                          const Moments& moments) const;
 
  private:
   /// The distributions for one correlation.
@@ -87,8 +78,6 @@ class GaussianityTest {
     Eigen::ArrayXd anderson_darling, pearson;  ///< weights
     NullDistribution supremum;
   };
-
-  std::array<GoodnessOfFit, 4> judge(double n, const auto& for_each_run, const Moments& moments) const;
 
   int bins_;
   NullDistributions correlated_, independent_;

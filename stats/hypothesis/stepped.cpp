@@ -29,7 +29,7 @@ struct Edges {
   Edges at(const std::vector<Index>& which) const { return {x(which), below(which)}; }
 };
 
-Edges edges_of(const std::vector<HeightBin>& heights, const Moments& before, const HeightSteps& steps) {
+Edges edges_of(const std::vector<HeightRun>& heights, const Moments& before, const HeightSteps& steps) {
   auto place = [&](double x) { return (before.mean + x * before.sq - steps.lowest) / steps.step + 0.5; };
   const auto first = static_cast<Index>(std::ceil(place(-reach))),
              last = static_cast<Index>(std::floor(place(reach)));
@@ -38,7 +38,7 @@ Edges edges_of(const std::vector<HeightBin>& heights, const Moments& before, con
   auto next = heights.begin();
   for (Index k = first; k <= last; ++k) {
     const double edge = steps.lowest + (static_cast<double>(k) - 0.5) * steps.step;
-    for (; next != heights.end() && next->highest < edge; ++next) below += next->count;
+    for (; next != heights.end() && next->height < edge; ++next) below += next->count;
     out.x(k - first) = (edge - before.mean) / before.sq, out.below(k - first) = below;
   }
   return out;
@@ -156,7 +156,7 @@ LagField before_rounding(const LagField& rho, const Moments& rounded, double ste
   return rho.mapped([factor](double r) { return std::clamp(r * factor, -1.0, 1.0); });
 }
 
-std::array<GoodnessOfFit, 4> gaussianity_of_steps(const std::vector<HeightBin>& heights,
+std::array<GoodnessOfFit, 4> gaussianity_of_steps(const std::vector<HeightRun>& heights,
                                                   const Moments& moments, const HeightSteps& steps,
                                                   const EffectiveSampleSize& size) {
   std::array<GoodnessOfFit, 4> out = goodness_of_fit_tests();

@@ -35,7 +35,7 @@ LagField before_rounding(const LagField& rho, const Moments& rounded, double ste
 
 /// `heights` are runs of equal ones, `moments` theirs; `size` is of the heights before. Steps beyond the
 /// Scope have no p-values, and say why.
-std::array<GoodnessOfFit, 4> gaussianity_of_steps(const std::vector<HeightBin>& heights,
+std::array<GoodnessOfFit, 4> gaussianity_of_steps(const std::vector<HeightRun>& heights,
                                                   const Moments& moments, const HeightSteps& steps,
                                                   const EffectiveSampleSize& size);
 

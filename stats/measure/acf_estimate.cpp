@@ -49,13 +49,7 @@ AcfDeviations deviations_of(const AcfEstimate& estimate, const LagWaves& waves) 
 // At lags up to half the field few will do: time and memory grow with their number.
 LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads,
                   LagWaves::Number number = LagWaves::Number::all) {
-  return {heights,
-          estimate.grid(),
-          max_lag,
-          estimate.basis.extent(),
-          threads,
-          number,
-          estimate.rho.rows().ranks()};
+  return {heights, estimate.grid(), max_lag, estimate.basis.extent(), threads, number};
 }
 
 // The lengths at one level, of a target or of the estimate; only the latter has errors.
@@ -116,16 +110,14 @@ void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& gri
 
 AcfEstimate::AcfEstimate(const LagField& acf, const ErrorBasis& of_errors, bool divided_by_all)
     : rho(acf.normalised()),
-      variance(acf.at_zero()),
+      variance(acf(0, 0)),
       basis(of_errors),
       size(basis.size()),
       biased(divided_by_all) {}
 
 AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& parameters) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, parameters.threads);
-  AcfParameters shared = parameters;
-  shared.ranks = surface.ranks;
-  const LagField acf = estimate_autocorrelation(surface.heights, pairs, shared);
+  const LagField acf = estimate_autocorrelation(surface.heights, pairs, parameters);
   return {acf,
           {surface.correlation.value_or(acf),
            !surface.correlation,

@@ -124,7 +124,6 @@ std::string why_no_error(const Sample& sample, int k) {
   if (const std::string few = too_few(sample.size()); !few.empty())
     return "no standard error can be given: " + few;
   if (k == 1) return "no standard error: it rests on lags at which noise hides the correlation";
-  if (!sample.whole()) return "no standard error: the surface is read in strips";
   if (constexpr double lay = 0.05; k == 2 && sample.extent().negative > lay)
     return "no standard error: the correlation is negative at many lags";
   return "";

@@ -156,7 +156,7 @@ constexpr Definition<Differentiated> nayak_table[] = {
 
 bool is_profile(const Sample& sample) {
   const auto [nx, ny] = sample.grid().shape;
-  return (nx == 1 || ny == 1) && sample.whole() && sample.surface().units == "m";
+  return (nx == 1 || ny == 1) && sample.surface().units == "m";
 }
 
 // m0 = Sq², with the error and the interval of Sq.

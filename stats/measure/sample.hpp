@@ -1,9 +1,4 @@
-/// A surface to be measured, whole in memory or in strips, with the sums that the parameters need.
-///
-/// A whole surface is a single strip. Strips give approximations of two things: the correlation, from the
-/// pairs of points within a strip (stats/spatial/strip_acf.hpp), and the order of the heights
-/// (stats/height/order.hpp). All errors depend on the number of patches that the correlation tells, and so
-/// differ a little from those of the whole surface, of Smc by a part in 10³.
+/// A surface to be measured, with the sums that the parameters need.
 #pragma once
 
 #include <array>
@@ -12,13 +7,11 @@
 
 #include "stats/height/height_error.hpp"
 #include "stats/height/material_ratio.hpp"
-#include "stats/height/order.hpp"
 #include "stats/hybrid/derivative_error.hpp"
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/spectral_moments.hpp"
 #include "stats/hybrid/summits.hpp"
 #include "stats/hypothesis/gaussianity.hpp"
-#include "stats/measure/strips.hpp"
 #include "stats/measure/surface.hpp"
 #include "stats/profile/profile.hpp"
 #include "stats/uncertainty/size_error.hpp"
@@ -29,8 +22,6 @@ struct DerivativeSums {
   SlopeSums slopes = {};
   SpectralMomentSums spectral = {};
   SummitSums summits = {};
-
-  void add(const Strip& strip, double level, int threads);
 };
 
 /// The sums of one pass over a surface; derivatives only if requested.
@@ -38,7 +29,6 @@ struct SurfaceSums {
   Moments moments;
   DerivativeSums derivatives;
   ErrorBasis basis;
-  bool reaches_beyond = false;  ///< the correlation that errors rest on is longer than a strip
 };
 
 class Sample {
@@ -47,18 +37,13 @@ class Sample {
   explicit Sample(Surface surface, bool derivatives = true, int threads = 1);
   /// Of a prepared surface of this basis and size, whose parameters need no errors.
   Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size, bool derivatives = true);
-  /// In strips; `surface` holds everything but the heights and their level.
-  Sample(const StripReader& reader, Surface surface, bool derivatives = true, int threads = 1);
 
   const Surface& surface() const { return surface_; }
   const Grid& grid() const { return surface_.grid; }
-  bool whole() const { return !reader_; }  ///< not in strips
   int threads() const { return threads_; }
   const Moments& moments() const { return sums_.moments; }
   const ErrorBasis& basis() const { return sums_.basis; }
   const EffectiveSampleSize& size() const { return size_; }
-  /// Whether errors rest on a correlation that is longer than the strips.
-  bool correlation_reaches_beyond() const { return sums_.reaches_beyond; }
 
   SlopeParameters slopes() const { return sums_.derivatives.slopes.parameters(grid()); }
   /// Zero where derivatives are the round-off of the heights, as those along grooves.
@@ -80,7 +65,7 @@ class Sample {
   double taken_by_form() const;
   double error_of_taken() const;  ///< relative to it
   std::optional<DerivativeErrors> derivative_errors() const;
-  /// None either of a surface in strips, of too small a size, or by a known correlation: that is exact.
+  /// None either of too small a size, or by a known correlation: that is exact.
   std::optional<SizeErrors> size_errors() const;
   std::optional<QuantileErrors> quantile_errors(const std::vector<double>& heights) const;
   /// Heights below which these shares of the surface lie.
@@ -93,20 +78,14 @@ class Sample {
   /// What subtraction may leave of neighbours that are equal.
   double round_off() const;
   bool taken_from_waves() const { return errors_ && !correlation_gives_errors(); }
-  const std::vector<HeightBin>& bins() const;
-  template <class Sums>
-  void add_all(Sums& sums) const;
-  std::vector<double> selected(const std::vector<double>& shares) const;
 
   Surface surface_;
-  std::optional<StripReader> reader_ = {};  ///< none: the surface is whole
   SurfaceSums sums_;
   EffectiveSampleSize size_;
   int threads_;
   bool errors_ = true;
   mutable std::optional<FieldExtent> extent_ = {};
   mutable std::optional<HeightErrors> height_errors_ = {};
-  mutable std::optional<std::vector<HeightBin>> bins_ = {};
 };
 
 }  // namespace asperity

@@ -16,16 +16,14 @@
 namespace asperity {
 namespace {
 
-// Of several ranks, each has some rows.
 void check_shape(const Surface& surface) {
-  const Shape own{Slabs(surface.grid.shape.nx, *surface.ranks).own().count, surface.grid.shape.ny};
-  const Shape field = shape_of(surface.heights);
+  const Shape field = shape_of(surface.heights), own = surface.grid.shape;
   if (field != own)
     throw DataError(surface.variable, "the field has " + text(field) + " points, its grid " + text(own));
 }
 
 double largest_of(const Surface& surface) {
-  return largest(*surface.ranks, surface.heights.abs().maxCoeff<Eigen::PropagateNumbers>());
+  return surface.heights.abs().maxCoeff<Eigen::PropagateNumbers>();
 }
 
 Field waves_beyond(Surface& surface, const char* name, const Cutoff& cutoff, int threads) try {
@@ -46,16 +44,14 @@ FlatSurface::FlatSurface(const DataError& why, Surface of) : DataError(why) {
 
 Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   check_shape(surface);
-  surface.level = mean(surface.heights, *surface.ranks);
+  surface.level = mean(surface.heights);
   const double size = surface.largest = largest_of(surface);
   const auto& [form, shorter, longer] = preparation;
   if (NeighbourSteps steps; !shorter.given()) {
     steps.add(surface.heights);
     surface.step = steps.step();
   }
-  surface.heights = form.is_mean()
-                        ? remove_mean(std::move(surface.heights), *surface.ranks)
-                        : without_form(std::move(surface.heights), surface.grid, form, threads).heights;
+  surface.heights = without_form(std::move(surface.heights), surface.grid, form, threads).heights;
   surface.degree = std::max(surface.degree, form.modes());
   if (shorter.given()) surface.heights = waves_beyond(surface, "lambda-s", shorter, threads);
   if (longer.given()) {
@@ -92,8 +88,7 @@ ErrorBasis error_basis(const Surface& surface, int threads) {
   const Pairs pairs = Pairs::of(surface.heights, surface.grid, threads);
   const FormModes form(surface.heights, pairs, surface.degree, threads);
   if (surface.correlation) return {*surface.correlation, false, pairs, form};
-  const AcfParameters half{
-      .max_lag = default_max_lag(surface.grid), .threads = threads, .ranks = surface.ranks};
+  const AcfParameters half{.max_lag = default_max_lag(surface.grid), .threads = threads};
   return {estimate_autocorrelation(surface.heights, pairs, half), true, pairs, form};
 }
 

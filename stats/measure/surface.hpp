@@ -32,7 +32,7 @@ struct Preparation {
 /// Missing heights are NaN.
 struct Surface {
   Grid grid;
-  Field heights = {};  ///< empty where the field is read in strips
+  Field heights = {};  ///< empty until they are read
   double level = 0;    ///< the mean that was subtracted
   int degree = 0;      ///< of the form that was, now or before
   double filled = 0;   ///< share of the points that were missing and filled before
@@ -43,7 +43,6 @@ struct Surface {
   std::optional<Translation> distribution = {};  ///< known, where it is not Gaussian
   std::vector<std::string> doubts = {};          ///< of filters that have not converged
   bool flat = false;                             ///< FlatSurface's: all heights are 0
-  const Ranks* ranks = &alone();  ///< that have some rows of the heights each, none of them missing
 };
 
 /// Of heights that are all the same, or differ by round-off.
@@ -55,7 +54,7 @@ class FlatSurface : public DataError {
 
 /// Throws ParameterError("remove-form"), ("lambda-s") or ("lambda-c") as the form and the filters do, and
 /// DataError(variable) where the field is not of the grid's shape, and FlatSurface where only rounding
-/// remains (refuse_round_off). Of several ranks, the form is the mean, without filters.
+/// remains (refuse_round_off).
 Surface prepared(Surface surface, const Preparation& preparation, int threads = 1);
 
 /// The longest lags at which errors, tests and simulated surfaces ask for a known correlation: those of a

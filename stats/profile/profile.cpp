@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/words.hpp"
@@ -136,32 +137,27 @@ ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step,
   return out;
 }
 
-ProfileSums::ProfileSums(const Grid& grid, Axis1D along, double section, double round_off)
-    : grid_(grid), along_(along), section_(section), round_off_(round_off) {
-  const double length = along == Axis1D::x ? grid.size_x() : grid.size_y();
+ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, Axis1D along, double section,
+                                 const LagField& rho, double round_off) {
+  const Grid& grid = pairs.grid();
+  const bool x = along == Axis1D::x;
+  const double length = x ? grid.size_x() : grid.size_y(), step = x ? grid.dx : grid.dy;
   if (std::isfinite(section) && section > length * (1 + 1e-12))
     throw ParameterError(
         "lambda-c", "'" + shortest(section) + " m' is longer than the profiles, " + shortest(length) + " m");
-}
-
-void ProfileSums::add(const Field& heights) {
-  const bool x = along_ == Axis1D::x;
-  const double step = x ? grid_.dx : grid_.dy;
-  const bool periodic = x ? grid_.periodic.x : grid_.periodic.y;
+  std::vector<ProfileParameters> profiles;
   for (Index i = 0, m = x ? heights.cols() : heights.rows(); i < m; ++i) {
     const Eigen::ArrayXd profile = x ? Eigen::ArrayXd(heights.col(i)) : heights.row(i).transpose();
-    profiles_.push_back(profile_parameters(profile, step, section_, periodic, round_off_));
+    profiles.push_back(
+        profile_parameters(profile, step, section, x ? grid.periodic.x : grid.periodic.y, round_off));
   }
-}
-
-ProfileAverages ProfileSums::averages(const Pairs& pairs, const LagField& rho) const {
-  const double share = 1 / profiles_worth_one(rho, pairs, along_);
-  const bool periodic = along_ == Axis1D::x ? grid_.periodic.y : grid_.periodic.x;
-  const auto m = static_cast<Index>(profiles_.size());
+  const double share = 1 / profiles_worth_one(rho, pairs, along);
+  const bool across = x ? grid.periodic.y : grid.periodic.x;
   ProfileAverages out;
   for (Index k = 0; k < profile_parameters_count; ++k)
     out.of[size(k)] = sequence_mean(
-        Eigen::ArrayXd::NullaryExpr(m, [&](Index j) { return profiles_[size(j)][k]; }), share, periodic);
+        Eigen::ArrayXd::NullaryExpr(std::ssize(profiles), [&](Index j) { return profiles[size(j)][k]; }),
+        share, across);
   out.profiles = out.of[profile_q].count;
   out.independent = out.profiles * share;
   return out;

@@ -36,7 +36,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "core/field.hpp"
 #include "stats/spatial/lag_field.hpp"
@@ -75,21 +74,9 @@ struct ProfileAverages {
   double independent = 0;  ///< m/c
 };
 
-/// The profiles along one axis of a field that comes in parts.
-class ProfileSums {
- public:
-  /// Throws ParameterError("lambda-c", …) if the section is longer than the profiles.
-  ProfileSums(const Grid& grid, Axis1D along, double section, double round_off = 0);
-  /// Whole profiles: columns of heights along x, rows along y.
-  void add(const Field& heights);
-  /// ρ is a correlation that is zero beyond its lags.
-  ProfileAverages averages(const Pairs& pairs, const LagField& rho) const;
-
- private:
-  Grid grid_;
-  Axis1D along_;
-  double section_, round_off_;
-  std::vector<ProfileParameters> profiles_ = {};
-};
+/// Of the profiles along one axis of a field; ρ is a correlation that is zero beyond its lags. Throws
+/// ParameterError("lambda-c", …) if the section is longer than the profiles.
+ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, Axis1D along, double section,
+                                 const LagField& rho, double round_off = 0);
 
 }  // namespace asperity

@@ -15,11 +15,9 @@
 ///           compares the results.
 #pragma once
 
-#include <limits>
 #include <string_view>
 
 #include "core/field.hpp"
-#include "stats/filter/form.hpp"
 
 namespace asperity {
 
@@ -33,30 +31,8 @@ struct Moments {
   double sz() const { return sp + sv; }
 };
 
-/// The sums of a field that comes in strips.
-class MomentSums {
- public:
-  /// `mean` is that of the whole field.
-  explicit MomentSums(const Mean& mean) : mean_(mean) {}
-  /// Of several ranks, each has some rows of the strip.
-  void add(const Eigen::Ref<const Field>& strip, const Ranks& ranks = alone());
-  /// Throws DataError(variable, …) if all heights are the same, or if Sq is below 1e-77 or heights are above
-  /// 1e77, whose fourth powers a double cannot hold.
-  Moments moments(std::string_view variable) const;
-
- private:
-  struct Sums {
-    double count = 0, absolute = 0, second = 0, third = 0, fourth = 0;
-    double highest = -std::numeric_limits<double>::infinity(),
-           lowest = std::numeric_limits<double>::infinity();
-
-    void operator+=(const Sums& other);
-  };
-  Mean mean_;
-  Sums sums_ = {};
-};
-
-/// Of several ranks, each has some rows of a field without missing heights.
-Moments moments(const Field& z, std::string_view variable = "heights", const Ranks& ranks = alone());
+/// Throws DataError(variable, …) if all heights are the same, or if Sq is below 1e-77 or heights are above
+/// 1e77, whose fourth powers a double cannot hold.
+Moments moments(const Field& z, std::string_view variable = "heights");
 
 }  // namespace asperity

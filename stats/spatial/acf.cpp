@@ -15,11 +15,11 @@
 namespace asperity {
 namespace {
 
-void divide_by_pairs(Field& sums, Index first, const Pairs& pairs, Shape max_lag, int threads) {
+void divide_by_pairs(Field& sums, const Pairs& pairs, Shape max_lag, int threads) {
   parallel_ranges(sums.rows(), threads, [&](Index begin, Index end, int) {
     for (Index p = begin; p < end; ++p)
       for (Index q = -max_lag.ny; q <= max_lag.ny; ++q) {
-        const double fraction = pairs.pair_fraction(first + p, q);
+        const double fraction = pairs.pair_fraction(p, q);
         sums(p, max_lag.ny + q) = fraction > 0 ? sums(p, max_lag.ny + q) / fraction : NAN;
       }
   });
@@ -68,16 +68,13 @@ void AcfParameters::check(const Grid& grid) const {
 LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters) {
   const Grid& grid = pairs.grid();
   parameters.check(grid);
-  const Mean level =
-      parameters.level ? Mean{.base = *parameters.level} : mean_above_base(z, *parameters.ranks);
-  const Slabs rows(parameters.max_lag.nx + 1, *parameters.ranks);
-  Field sums = lag_sums_of_rows(above(z, level, pairs.complete()), grid, parameters.max_lag,
-                                parameters.threads, *parameters.ranks);
+  const Mean level = parameters.level ? Mean{.base = *parameters.level} : mean_above_base(z);
+  Field sums =
+      lag_sums_of_rows(above(z, level, pairs.complete()), grid, parameters.max_lag, parameters.threads);
   sums /= pairs.points();
   const bool divided = grid.periodic.both() && pairs.complete();
-  if (!divided && !parameters.biased)
-    divide_by_pairs(sums, rows.own().first, pairs, parameters.max_lag, parameters.threads);
-  return {std::move(sums), rows};
+  if (!divided && !parameters.biased) divide_by_pairs(sums, pairs, parameters.max_lag, parameters.threads);
+  return LagField(std::move(sums));
 }
 
 LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters) {

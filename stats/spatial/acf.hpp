@@ -46,7 +46,6 @@ struct AcfParameters {
   bool biased = false;  ///< (3) instead of (2)
   std::optional<double> level = {};  ///< known mean height [m]; otherwise the field's mean
   int threads = 1;
-  const Ranks* ranks = &alone();  ///< that have some rows of the field each, and get some of R
 
   /// Throws ParameterError("max-lag", …).
   void check(const Grid& grid) const;
@@ -55,7 +54,6 @@ struct AcfParameters {
 /// Half the field in either direction; longer lags have few independent pairs.
 inline Shape default_max_lag(const Grid& grid) { return {grid.shape.nx / 2, grid.shape.ny / 2}; }
 
-/// Of several ranks, from a field without missing heights.
 LagField estimate_autocorrelation(const Field& z, const Grid& grid, const AcfParameters& parameters);
 /// With the field's pairs, if they are known.
 LagField estimate_autocorrelation(const Field& z, const Pairs& pairs, const AcfParameters& parameters);

@@ -3,14 +3,12 @@
 /// The half-plane holds the whole autocorrelation of a real field, because R(-p,-q) = R(p,q). For an oblique
 /// lay R(p,-q) ≠ R(p,q).
 ///
-/// Of several ranks (core/ranks.hpp) each has some rows of lags. Copies share their values.
+/// Copies share their values.
 #pragma once
 
 #include <memory>
-#include <utility>
 
 #include "core/field.hpp"
-#include "core/ranks.hpp"
 
 namespace asperity {
 
@@ -18,8 +16,6 @@ class LagField {
  public:
   /// `half_plane` is (P+1) × (2Q+1), row p, column Q + q.
   explicit LagField(Field half_plane);
-  /// The rows of it that a rank has.
-  LagField(Field own_rows, const Slabs& rows);
   /// value(p, q) at all lags up to max_lag.
   static LagField of(Shape max_lag, const auto& value) {
     return LagField(Field::NullaryExpr(max_lag.nx + 1, 2 * max_lag.ny + 1, [&](Index p, Index column) {
@@ -27,37 +23,29 @@ class LagField {
     }));
   }
 
-  const Slabs& rows() const { return rows_; }
-  Index max_p() const { return rows_.rows() - 1; }
+  Index max_p() const { return half_plane().rows() - 1; }
   Index max_q() const { return half_plane().cols() / 2; }
   Shape max_lag() const { return {max_p(), max_q()}; }
-  /// The value at any lag, zero beyond P and Q. Throws std::logic_error at lags that another rank has.
+  /// The value at any lag, zero beyond P and Q.
   double operator()(Index p, Index q) const;
   /// The largest |p| and |q| with a value other than zero.
   Shape reach() const;
-  /// The lags up to max_lag, or up to P and Q if these are less, on every rank; collective.
+  /// The lags up to max_lag, or up to P and Q if these are less.
   LagField within(Shape max_lag) const;
-  /// Row p, column Q + q; the rows that this rank has.
+  /// Row p, column Q + q.
   const Field& half_plane() const { return *values_; }
 
   Eigen::ArrayXd along_x() const { return half_plane().col(max_q()); }
   Eigen::ArrayXd along_y() const { return half_plane().row(0).tail(max_q() + 1).transpose(); }
-  /// R(0,0); collective.
-  double at_zero() const { return within({0, 0})(0, 0); }
-  /// R(p,q)/R(0,0); collective. Throws DataError("acf", …) if R(0,0) is not positive.
+  /// R(p,q)/R(0,0). Throws DataError("acf", …) if R(0,0) is not positive.
   LagField normalised() const;
   /// f(R) at all lags.
   template <class Function>
   LagField mapped(const Function& f) const {
-    return {half_plane().unaryExpr(f), rows_};
+    return LagField(half_plane().unaryExpr(f));
   }
 
  private:
-  explicit LagField(std::shared_ptr<const Field> values);
-  LagField(std::shared_ptr<const Field> values, const Slabs& rows);
-
-  Slabs rows_;
-  Index first_;  ///< of the own rows
   std::shared_ptr<const Field> values_;
 };
 

@@ -91,9 +91,8 @@ LagField tapered(const LagField& rho, const Pairs& pairs) {
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit) {
   const Shape longest = longest_lags(pairs.grid());
-  const Extent own = lags.rows().own();
-  const Index end = std::min(own.end(), longest.nx + 1), Q = std::min(lags.max_q(), longest.ny);
-  for (Index p = own.first; p < end; ++p)
+  const Index P = std::min(lags.max_p(), longest.nx), Q = std::min(lags.max_q(), longest.ny);
+  for (Index p = 0; p <= P; ++p)
     for (Index q = -Q; q <= Q; ++q)
       if (const double weight = pairs.weight(p, q); weight > 0) visit(p, q, weight);
 }

@@ -60,7 +60,7 @@ LagField tapered(const LagField& rho, const Pairs& pairs);
 
 /// Calls visit(p, q, weight) for the lags of the half-plane that have pairs. Σ weight f(p,q) is the average
 /// over the field's points of Σ f over all their partners: the weight is pair_fraction(p,q), doubled for the
-/// lags (-p,-q), and halved at half a period, where p and -p coincide. Of several ranks each visits its lags.
+/// lags (-p,-q), and halved at half a period, where p and -p coincide.
 void for_each_lag(const LagField& lags, const Pairs& pairs,
                   const std::function<void(Index, Index, double)>& visit);
 

@@ -42,17 +42,15 @@ void to_powers(const PrunedTransform& transform, Complex* block, double scale) {
   }
 }
 
-// The rows of the half-plane that a rank has the powers of.
 Field rows_of_powers(const PrunedTransform& transform, std::span<const Complex> powers, int threads) {
   constexpr Index width = PrunedTransform::width;
   const auto [nx, ny] = transform.field();
-  const Extent own = transform.slabs().own();
   const Index middle = ny / 2;
-  Field out = large_field({std::clamp(nx / 2 + 1 - own.first, Index{0}, own.count), 2 * middle + 1});
+  Field out = large_field({nx / 2 + 1, 2 * middle + 1});
   parallel_ranges(out.rows(), threads, [&](Index begin, Index end, int) {
     for (Index p = begin; p < end; ++p)
       for (Index l = middle; l >= 0; --l) {
-        const Complex both = powers[size((l / width * own.count + p) * width + l % width)];
+        const Complex both = powers[size((l / width * nx + p) * width + l % width)];
         out(p, middle - l) = both.imag();
         out(p, middle + l) = both.real();
       }
@@ -132,19 +130,17 @@ Interval SpectrumPoint::interval(double level) const {
                       density / chi_squared_share(1 - tail, degrees) * std::exp(std::max(-bias, 0.0)));
 }
 
-LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads,
-                        const Ranks& ranks) {
+LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads) {
   const Index nx = grid.shape.nx, ny = grid.shape.ny;
   const Eigen::ArrayXd wx = window_of(windows.x, nx), wy = window_of(windows.y, ny);
-  const PrunedTransform transform(grid.shape, grid.shape, Ways::forward_only, ranks);
-  const Index first = transform.slabs().own().first;
+  const PrunedTransform transform(grid.shape, grid.shape, Ways::forward_only);
   HalfSpectrum half = transform.half_spectrum();
   const bool complete = !has_missing(d);
   const double mean_square =
       complete ? 1 : sum_over(d, wx.square(), wy.square()) / static_cast<double>(d.size());
   const RowSource windowed = [&](Index i, double* row) {
     Eigen::Map<Eigen::Array<double, 1, Eigen::Dynamic>> out(row, ny);
-    out = d.row(i) * wx(first + i) * wy.transpose();
+    out = d.row(i) * wx(i) * wy.transpose();
     if (!complete) out = out.isNaN().select(0.0, out);
   };
   transform.forward_each_row(windowed, half, threads);
@@ -152,16 +148,12 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
   const double scale = grid.cell_area() / (static_cast<double>(grid.shape.cells()) * mean_square);
   transform.change_each_block(half, threads,
                               [&](Index, Complex* block) { to_powers(transform, block, scale); });
-  const Slabs rows(nx / 2 + 1, ranks);
-  Field out = rows_of_powers(transform, half, threads);
-  half = {};
-  return {dealt_again(std::move(out), transform.slabs(), rows), rows};
+  return LagField(rows_of_powers(transform, half, threads));
 }
 
 Field over_both_signs(const LagField& psd, const Grid& grid) {
   Field out = psd.half_plane();
-  const Index last = grid.shape.nx / 2 - psd.rows().own().first;
-  if (grid.shape.nx % 2 == 0 && last >= 0 && last < out.rows()) out.row(last) /= 2;
+  if (grid.shape.nx % 2 == 0) out.row(grid.shape.nx / 2) /= 2;
   if (grid.shape.ny % 2 == 0) out.leftCols(1) /= 2, out.rightCols(1) /= 2;
   return out;
 }

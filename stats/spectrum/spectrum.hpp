@@ -79,13 +79,11 @@ DataWindows default_windows(const Grid& grid);
 SharedPower shared_power(const Field& d, DataWindows windows);
 
 /// (1) over the half-plane of wave numbers p ≥ 0. For sums over all wave numbers use for_each_lag on the
-/// periodic grid. Of several ranks, each has its rows of a field without missing heights, and gets its rows
-/// p.
-LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1,
-                        const Ranks& ranks = alone());
+/// periodic grid.
+LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, int threads = 1);
 
 /// C with that of a wave of two points halved along either axis: the half-plane that adds up to (2) when rows
-/// p > 0 count twice and all columns once. The rows that a rank has.
+/// p > 0 count twice and all columns once.
 Field over_both_signs(const LagField& psd, const Grid& grid);
 
 /// Why a point of a spectrum has no error (stats/spectrum/resolution.hpp, holes.hpp).

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/ranks.hpp"
-
 namespace asperity {
 namespace {
 
@@ -43,11 +41,9 @@ double least_score(const LagField& rho, const Pairs& pairs) {
     const int octave = std::min(std::ilogb(z * z * n / 9), octaves - 1);
     if (octave >= 0) squares[static_cast<std::size_t>(octave)] += lag.weight * lag.rho * lag.rho;
   });
-  const std::vector<double> all = gathered(rho.rows().ranks(), squares);
   double above = 0;
   for (int k = octaves - 1; k > 0; --k) {
-    for (auto of_rank = static_cast<std::size_t>(k); of_rank < all.size(); of_rank += octaves)
-      above += all[of_rank];
+    above += squares[static_cast<std::size_t>(k)];
     if (constexpr double with_round_off = 1 + 1e-6; std::ldexp(with_round_off, k) <= above)
       return 3 * std::sqrt(std::ldexp(1, k) / n);
   }
@@ -62,11 +58,10 @@ constexpr auto in_order = [](const WeightedLag& a, const WeightedLag& b) {
 std::vector<WeightedLag> tail_of(const LagField& rho, const Pairs& pairs,
                                  const std::vector<WeightedLag>& admitted) {
   const Shape longest = longest_lags(pairs.grid());
-  const Extent own = rho.rows().own();
   std::vector<WeightedLag> out;
   auto add = [&](Index p, Index q) {
-    const bool held = p >= own.first && p < own.end() && p <= longest.nx &&
-                      std::abs(q) <= std::min(rho.max_q(), longest.ny);
+    const bool held =
+        p <= std::min(rho.max_p(), longest.nx) && std::abs(q) <= std::min(rho.max_q(), longest.ny);
     if (held) out.push_back({p, q});
   };
   for (const auto& [p, q, value, weight] : admitted) {
@@ -82,7 +77,7 @@ std::vector<WeightedLag> tail_of(const LagField& rho, const Pairs& pairs,
   out.erase(std::unique(out.begin(), out.end(), same), out.end());
   for (WeightedLag& lag : out) lag.rho = rho(lag.p, lag.q), lag.weight = pairs.weight(lag.p, lag.q);
   std::erase_if(out, [](const WeightedLag& lag) { return !(lag.weight > 0); });
-  return gathered(rho.rows().ranks(), out);
+  return out;
 }
 
 // ρ_0; a lag without pairs is NaN.
@@ -178,7 +173,6 @@ std::vector<WeightedLag> significant(const LagField& rho, const Pairs& pairs) {
   for_each_score(rho, pairs, [&](const WeightedLag& lag, double z) {
     if (z > least) lags.push_back(lag);
   });
-  lags = gathered(rho.rows().ranks(), lags);
   std::ranges::stable_sort(lags, std::greater(), [&](const WeightedLag& lag) { return score(lag, pairs); });
   // Lags of one score, such as (0,q) and (0,-q), come in together: of the transpose they are a single one.
   constexpr double round_off = 1e-9;
@@ -195,11 +189,9 @@ std::vector<WeightedLag> significant(const LagField& rho, const Pairs& pairs) {
 
 LagField significant_lags(const LagField& estimate, const Pairs& pairs) {
   const LagField rho = estimate.normalised();
-  const Extent own = rho.rows().own();
-  Field admitted = Field::Zero(own.count, 2 * rho.max_q() + 1);
-  for (const auto& [p, q, value, weight] : significant(rho, pairs))
-    if (p >= own.first && p < own.end()) admitted(p - own.first, rho.max_q() + q) = value;
-  return {std::move(admitted), rho.rows()};
+  Field admitted = Field::Zero(rho.max_p() + 1, 2 * rho.max_q() + 1);
+  for (const auto& [p, q, value, weight] : significant(rho, pairs)) admitted(p, rho.max_q() + q) = value;
+  return LagField(std::move(admitted));
 }
 
 MomentErrors standard_errors(const Moments& moments, const EffectiveSampleSize& size) {

@@ -43,7 +43,7 @@
 ///           the correlation. With an estimated correlation, intervals of Sq and Sa cover 86 % at a true
 ///           N/S_2 of 16 (median estimate 20), 73 % at 5 (11) and 55 % at 2 (9). An S_k that is negative by
 ///           noise is set to zero.
-/// Cost      that of the S_k; two passes over the lags of an estimate, shared by ranks that share these.
+/// Cost      that of the S_k; two passes over the lags of an estimate.
 /// Memory    32 bytes for each of the K lags of (7), 4 times those admitted: of many patches a few per cent
 ///           of all.
 ///
@@ -114,9 +114,9 @@ class EffectiveSampleSize {
   bool form_leaves_enough_ = true;
 };
 
-/// The lags of a normalised estimate that exceed its noise, in order, on every rank; collective.
+/// The lags of a normalised estimate that exceed its noise, in order.
 std::vector<WeightedLag> significant(const LagField& rho, const Pairs& pairs);
-/// The normalised estimate, zero at lags that do not exceed its noise; the lags that a rank has.
+/// The normalised estimate, zero at lags that do not exceed its noise.
 LagField significant_lags(const LagField& estimate, const Pairs& pairs);
 
 /// Standard errors (3)–(5), in the unit of the field.

@@ -36,16 +36,6 @@ Eigen::MatrixXd autocorrelations(Index n, bool periodic, int degree) {
   return out;
 }
 
-// visit(φ_k) at the points of a strip, 0 where heights are missing.
-template <class Visit>
-void for_each_mode(const AxisProducts& products, const Eigen::MatrixXd& gram, const Field& strip, Index first,
-                   Visit visit) {
-  const Eigen::MatrixXd modes = orthonormal(gram, round_off);
-  const Field points = validity(strip);
-  for (Index k = 0; k < modes.rows(); ++k)
-    visit(points * products.combined(modes.row(k).transpose(), first, 0, shape_of(strip)));
-}
-
 }  // namespace
 
 FormModes::FormModes(const Grid& grid, int degree) : degree_(degree) {
@@ -66,26 +56,17 @@ FormModes::FormModes(const Field& z, const Pairs& pairs, int degree, int threads
   if (degree == 0 || pairs.complete()) return;
   const AxisProducts products = polynomials(shape_of(z), degree);
   Eigen::MatrixXd gram = products.none();
-  products.add(gram, validity(z), 0);
+  const Field points = validity(z);
+  products.add(gram, points);
+  const Eigen::MatrixXd modes = orthonormal(gram, round_off);
   const Shape lags = longest_lags(pairs.grid());
   Field sums = Field::Zero(lags.nx + 1, 2 * lags.ny + 1);
-  for_each_mode(products, gram, z, 0,
-                [&](const Field& mode) { sums += lag_sums(mode, pairs.grid(), lags, threads); });
+  for (Index k = 0; k < modes.rows(); ++k)
+    sums += lag_sums(points * products.combined(modes.row(k).transpose()), pairs.grid(), lags, threads);
   of_points_ = std::make_shared<const LagField>(LagField::of(lags, [&](Index p, Index q) {
     const double share = pairs.pair_fraction(p, q);
     return share > 0 ? sums(p, lags.ny + q) / (count_ * share) : 0;
   }));
-}
-
-FormModes::FormModes(const Grid& grid, const FormFit& form, const StripAutocorrelation& modes)
-    : FormModes(grid, form.degree()) {
-  if (form.complete()) return;
-  of_points_ = std::make_shared<const LagField>(modes.estimate().normalised());
-}
-
-void FormModes::add(StripAutocorrelation& modes, const FormFit& form, const Field& strip, Index first) {
-  for_each_mode(form.products(), form.gram(), strip, first,
-                [&](const Field& mode) { modes.add(strip.isNaN().select(strip, mode)); });
 }
 
 double FormModes::operator()(Index p, Index q) const {

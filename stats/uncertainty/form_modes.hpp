@@ -12,8 +12,7 @@
 ///     E[Sq²] = σ² (1 - w),     ρ becomes (ρ - w B)/(1 - w).                                           (4)
 ///
 /// Symbols   N  points, n along an axis      σ  rms height without removal [m]
-/// Scope     any outline. Of a surface in strips with missing heights (2) has the pairs within a strip, and B
-///           is 0 at longer lags. Filters are not forms.
+/// Scope     any outline. Filters are not forms.
 /// Accuracy  (1) exact, round-off ε n. (4) to first order in the ratio of the correlation
 ///           length to the modes' waves. Estimates of w from the field itself, by its correlation
 ///           (stats/uncertainty/effective_size.hpp) and by the modes of the next degrees
@@ -45,7 +44,6 @@
 #include "stats/filter/form.hpp"
 #include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
-#include "stats/spatial/strip_acf.hpp"
 
 namespace asperity {
 
@@ -56,10 +54,6 @@ class FormModes {
   FormModes(const Grid& grid, int degree);
   /// Of a field whose missing points are NaN.
   FormModes(const Field& z, const Pairs& pairs, int degree, int threads = 1);
-  /// Of a field in strips, all of which `modes` has been given by add().
-  FormModes(const Grid& grid, const FormFit& form, const StripAutocorrelation& modes);
-  /// Adds the modes at the points of a strip whose first row is `first`.
-  static void add(StripAutocorrelation& modes, const FormFit& form, const Field& strip, Index first);
 
   int degree() const { return degree_; }
   double count() const { return count_; }  ///< M

@@ -29,7 +29,7 @@ Field folded(const Field& plane) {
 }  // namespace
 
 LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads,
-                   Number number, const Ranks& ranks)
+                   Number number)
     : long_waves_(grid, extent,
                   number == Number::few ? LongWaves::Range{5, 5} : LongWaves::Range{.least = 5}),
       patches_(extent.patches) {
@@ -40,24 +40,22 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
   }
   const auto [nx, ny] = grid.shape;
   const Index along_x = mirrored_blocks(most_x, nx), along_y = mirrored_blocks(most_y, ny);
-  PairBlocks blocks(d, grid, max_lag, along_x, along_y, ranks);
+  PairBlocks blocks(d, grid, max_lag, along_x, along_y);
   const Eigen::MatrixXd waves = directions(blocks, {{along_x, along_y}, 1, 1, grid.periodic});
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
   waves_.assign(static_cast<std::size_t>(waves.rows()) + 1, {none, none, none, none});
-  const auto each = static_cast<Index>(largest(ranks, threads));
-  for (Index first = 0; first < blocks.count(); first += each * ranks.count()) {
-    const std::vector<PairSums> sums =
-        gathered(ranks, blocks.sums({first + each * ranks.rank(), each}, threads), max_lag);
-    const Index count = std::min(std::ssize(sums), blocks.count() - first);
+  for (Index first = 0; first < blocks.count(); first += threads) {
+    const Index count = std::min<Index>(threads, blocks.count() - first);
+    const std::vector<PairSums> sums = blocks.sums({first, count}, threads);
     parallel_ranges(static_cast<Index>(waves_.size()), threads, [&](Index begin, Index end, int) {
       for (Index k = begin; k < end; ++k) {
         Wave& wave = waves_[static_cast<std::size_t>(k)];
         for (Index b = 0; b < count; ++b) {
           const auto& [products, squares, pairs] = sums[static_cast<std::size_t>(b)];
           const Shape lags = shape_of(pairs);
-          const Field u = k == 0 ? Field(Field::Ones(lags.nx, lags.ny))
-                                 : blocks.waves(first + b, long_waves_.all())
-                                       .combined(waves.row(k - 1).transpose(), 0, 0, lags);
+          const Field u =
+              k == 0 ? Field(Field::Ones(lags.nx, lags.ny))
+                     : blocks.waves(first + b, long_waves_.all()).combined(waves.row(k - 1).transpose());
           wave.add(u, products, squares, pairs);
         }
       }

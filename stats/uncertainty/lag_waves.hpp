@@ -46,10 +46,9 @@ class LagWaves {
  public:
   /// `few`: those of J² = 5, however large the field.
   enum class Number { all, few };
-  /// Of heights less their mean, NaN where missing, at lags up to max_lag. Of several ranks, each has its
-  /// rows of a field without missing heights, and works on some of the blocks.
+  /// Of heights less their mean, NaN where missing, at lags up to max_lag.
   LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads = 1,
-           Number number = Number::all, const Ranks& ranks = alone());
+           Number number = Number::all);
 
   /// Of freedom.
   double degrees() const { return long_waves_.degrees(static_cast<Index>(waves_.size()) - 1, 40); }

@@ -122,10 +122,9 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   sums.products += values.transpose() * values;
 }
 
-void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill,
-                         const Ranks& ranks) {
-  constexpr Index block = 32;  // of which ranks have whole ones
-  const Index blocks = (rows + block - 1) / block, first = Slabs(grid_.shape.nx, ranks).own().first;
+void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill) {
+  constexpr Index block = 32;
+  const Index blocks = (rows + block - 1) / block;
   std::vector<Sums> of_blocks(static_cast<std::size_t>(blocks));
   parallel_ranges(blocks, threads, [&](Index begin, Index end, int) {
     Values values(grid_.shape.ny, functions_ + 1);
@@ -134,20 +133,11 @@ void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index
       for (Index i = b * block; i < std::min(rows, (b + 1) * block); ++i) {
         values.setConstant(NAN);
         fill(i, values);
-        add_row(sums, rows_ + first + i, values);
+        add_row(sums, i, values);
       }
     }
   });
-  std::vector<double> own;
-  for (Sums& sums : of_blocks)
-    sums.each([&](const Eigen::MatrixXd& m) { own.insert(own.end(), m.data(), m.data() + m.size()); });
-  const std::vector<double> all = gathered(ranks, own);
-  for (const double* next = all.data(); next != all.data() + all.size();)
-    sums_.each([&](Eigen::MatrixXd& m) {
-      m += Eigen::Map<const Eigen::MatrixXd>(next, m.rows(), m.cols());
-      next += m.size();
-    });
-  rows_ += rows;
+  for (const Sums& sums : of_blocks) sums_ += sums;
 }
 
 LocalMeans LocalSums::means(const FieldExtent& extent) const {

@@ -42,7 +42,6 @@
 #include <Eigen/Core>
 
 #include "core/field.hpp"
-#include "core/ranks.hpp"
 #include "stats/filter/axis_products.hpp"
 
 namespace asperity {
@@ -125,17 +124,15 @@ class LocalMeans {
   Eigen::MatrixXd covariance_ = {};  ///< of the functions at one point
 };
 
-/// The sums of a field that comes in strips, in order.
+/// The sums of a field.
 class LocalSums {
  public:
   /// A row a point along y, a column a function, after a first one; a point with a NaN counts for none.
   using Values = Eigen::MatrixXd;
 
   LocalSums(const Grid& grid, Index functions);
-  /// The next rows of the field: fill(i, values) sets columns 1, 2, … of row i < rows, which are NaN. Of
-  /// several ranks, each has its rows of the whole field.
-  void add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill,
-                const Ranks& ranks = alone());
+  /// Of the first rows: fill(i, values) sets columns 1, 2, … of row i < rows, which are NaN.
+  void add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill);
   double count() const { return sums_.waves[0](0, 0); }  ///< of the points
   LocalMeans means(const FieldExtent& extent) const;
 
@@ -145,11 +142,9 @@ class LocalSums {
     Eigen::MatrixXd products;            // Σ f_a f_b
     AxisWaves::Squares squares;
 
-    // visit(m) of all of them.
-    template <class Visit>
-    void each(Visit visit) {
-      for (Eigen::MatrixXd& m : waves) visit(m);
-      visit(products), visit(squares);
+    void operator+=(const Sums& more) {
+      for (std::size_t j = 0; j < waves.size(); ++j) waves[j] += more.waves[j];
+      products += more.products, squares += more.squares;
     }
   };
   Sums none() const;
@@ -159,7 +154,6 @@ class LocalSums {
   Index functions_;
   AxisWaves along_;
   Sums sums_;
-  Index rows_ = 0;  // so far
 };
 
 }  // namespace asperity

@@ -18,30 +18,8 @@ Index inside(Index i, Index n, bool periodic) { return periodic ? ((i % n) + n) 
 
 }  // namespace
 
-std::vector<PairSums> gathered(const Ranks& ranks, std::vector<PairSums> own, Shape max_lag) {
-  if (ranks.count() == 1) return own;
-  const Index rows = 2 * max_lag.nx + 1, columns = 2 * max_lag.ny + 1;
-  std::vector<double> values;
-  for (PairSums& sums : own)
-    for (Field* part : {&sums.products, &sums.squares, &sums.pairs}) {
-      if (part->size() == 0) *part = Field::Zero(rows, columns);  // of no block
-      values.insert(values.end(), part->data(), part->data() + part->size());
-    }
-  values = gathered(ranks, values);
-  std::vector<PairSums> out(own.size() * static_cast<std::size_t>(ranks.count()));
-  const double* next = values.data();
-  for (PairSums& sums : out)
-    for (Field* part : {&sums.products, &sums.squares, &sums.pairs}) {
-      *part = Eigen::Map<const Field>(next, rows, columns);
-      next += part->size();
-    }
-  return out;
-}
-
-PairBlocks::PairBlocks(const Field& d, const Grid& grid, Shape max_lag, Index along_x, Index along_y,
-                       const Ranks& ranks)
+PairBlocks::PairBlocks(const Field& d, const Grid& grid, Shape max_lag, Index along_x, Index along_y)
     : d_(d),
-      rows_(grid.shape.nx, ranks),
       grid_(grid),
       max_lag_(max_lag),
       along_x_(along_x),
@@ -74,21 +52,18 @@ Eigen::VectorXd PairBlocks::points(Index row) const {
   return out;
 }
 
-std::vector<PairSums> PairBlocks::sums(Extent some, int threads) {
+std::vector<PairSums> PairBlocks::sums(Extent some, int threads) const {
   std::vector<PairSums> out(size(some.count));
-  std::vector<Near> near(out.size());
-  for (Index begin = 0; begin < largest(along_x_, grid_.shape.nx); begin += piece_.nx) {
-    auto part = [&](Index k) -> Range {
-      if (some.first + k >= count()) return {0, 0};
-      const Range x = block(x_of(some.first + k), along_x_, grid_.shape.nx);
-      return {std::min(x.first + begin, x.last), std::min(x.first + begin + piece_.nx, x.last)};
-    };
-    for (Index k = 0; k < some.count; ++k) near[size(k)] = rows_about(part(k));
-    parallel_ranges(some.count, threads, [&](Index first, Index last, int) {
-      for (Index k = first; k < last; ++k)
-        if (part(k).length() > 0) add_row(out[size(k)], near[size(k)], part(k), y_of(some.first + k));
-    });
-  }
+  parallel_ranges(some.count, threads, [&](Index first, Index last, int) {
+    for (Index k = first; k < last; ++k) {
+      const Range x = block(x_of(some.first + k), along_x_, grid_.shape.nx),
+                  y = block(y_of(some.first + k), along_y_, grid_.shape.ny);
+      for (Index i = x.first; i < x.last; i += piece_.nx)
+        for (Index j = y.first; j < y.last; j += piece_.ny)
+          out[size(k)].add(
+              sums(Range{i, std::min(i + piece_.nx, x.last)}, Range{j, std::min(j + piece_.ny, y.last)}));
+    }
+  });
   return out;
 }
 
@@ -121,50 +96,30 @@ PairBlocks::Range PairBlocks::partnered(Range x, Index lag, Index n, bool period
   return {first, std::max(first, std::clamp(n - lag - x.first, Index{0}, x.length()))};
 }
 
-PairBlocks::Near PairBlocks::rows_about(Range x) {
-  const Index nx = grid_.shape.nx, all = x.length() > 0 ? x.length() + 2 * max_lag_.nx : 0;
-  Near out{std::vector<Index>(size(all), -1), {}};
-  std::vector<Index> wanted;
-  for (Index i = 0; i < all; ++i)
-    if (const Index row = inside(x.first + i - max_lag_.nx, nx, grid_.periodic.x); row >= 0 && row < nx) {
-      out.rows[size(i)] = rows_.shared() ? std::ssize(wanted) : row;
-      wanted.push_back(row);
+// value(z) of a piece and of all partners of its points, z NaN beyond the field.
+template <class Value>
+Field PairBlocks::surroundings(Range x, Range y, Value value) const {
+  Field out(x.length() + 2 * max_lag_.nx, y.length() + 2 * max_lag_.ny);
+  for (Index i = 0; i < out.rows(); ++i) {
+    const Index row = inside(x.first + i - max_lag_.nx, grid_.shape.nx, grid_.periodic.x);
+    const bool held = row >= 0 && row < grid_.shape.nx;
+    for (Index j = 0; j < out.cols(); ++j) {
+      const Index column = inside(y.first + j - max_lag_.ny, grid_.shape.ny, grid_.periodic.y);
+      out(i, j) = value(held && column >= 0 && column < grid_.shape.ny ? d_(row, column) : NAN);
     }
-  if (!rows_.shared()) return out;
-  const bool kept = wanted == kept_;
-  Field come = rows_of(d_, rows_, kept ? std::vector<Index>() : wanted);
-  if (!kept) copy_ = std::make_shared<const Field>(std::move(come)), kept_ = std::move(wanted);
-  out.copy = copy_;
+  }
   return out;
 }
 
-// value(z) of a piece and of all partners of its points, z NaN beyond the field.
-template <class Value>
-Field PairBlocks::surroundings(const Near& near, Range y, Value value) const {
-  const Field& f = rows_.shared() ? *near.copy : d_;
-  const Index ny = grid_.shape.ny, Q = max_lag_.ny;
-  return Field::NullaryExpr(std::ssize(near.rows), y.length() + 2 * Q, [&](Index i, Index j) {
-    const Index row = near.rows[size(i)], column = inside(y.first + j - Q, ny, grid_.periodic.y);
-    return value(row >= 0 && column >= 0 && column < ny ? f(row, column) : NAN);
-  });
-}
-
-// The pieces of a block that lie in these rows.
-void PairBlocks::add_row(PairSums& out, const Near& near, Range x, Index y_of_block) const {
-  const Range y = block(y_of_block, along_y_, grid_.shape.ny);
-  for (Index j = y.first; j < y.last; j += piece_.ny)
-    out.add(sums(near, x, {j, std::min(j + piece_.ny, y.last)}));
-}
-
-PairSums PairBlocks::sums(const Near& near, Range x, Range y) const {
-  const Field far = surroundings(near, y, [](double z) { return std::isnan(z) ? 0 : z; });
+PairSums PairBlocks::sums(Range x, Range y) const {
+  const Field far = surroundings(x, y, [](double z) { return std::isnan(z) ? 0 : z; });
   PairSums out;
   const Spectrum of_heights(*this, far, x, y);
   out.products = correlated(of_heights, of_heights);
   if (complete_) {
     squares_of_rectangles(far, x, y, out);
   } else {
-    const Field valid = surroundings(near, y, [](double z) { return std::isnan(z) ? 0.0 : 1.0; });
+    const Field valid = surroundings(x, y, [](double z) { return std::isnan(z) ? 0.0 : 1.0; });
     const Spectrum of_squares(*this, far.square(), x, y), of_valid(*this, valid, x, y);
     out.squares = 0.5 * (correlated(of_squares, of_valid) + correlated(of_valid, of_squares));
     out.pairs = correlated(of_valid, of_valid).round();

@@ -6,16 +6,13 @@
 /// short.
 ///
 /// Accuracy  round-off. Cost: nearly all of that of stats/uncertainty/lag_waves.hpp, which needs them.
-///
-/// Of several ranks (core/ranks.hpp), each has some rows of the field, and gets the rows about its blocks.
 #pragma once
 
-#include <memory>
 #include <utility>
 #include <vector>
 
+#include "core/extent.hpp"
 #include "core/field.hpp"
-#include "core/ranks.hpp"
 #include "stats/filter/axis_products.hpp"
 #include "stats/uncertainty/long_waves.hpp"
 #include "transform/plan.hpp"
@@ -32,22 +29,18 @@ struct PairSums {
   }
 };
 
-/// Of all ranks, as gathered().
-std::vector<PairSums> gathered(const Ranks& ranks, std::vector<PairSums> own, Shape max_lag);
-
 class PairBlocks {
  public:
   /// The field is the caller's, and stays.
-  PairBlocks(const Field& d, const Grid& grid, Shape max_lag, Index along_x, Index along_y,
-             const Ranks& ranks);
+  PairBlocks(const Field& d, const Grid& grid, Shape max_lag, Index along_x, Index along_y);
 
   bool complete() const { return complete_; }
   Index count() const { return along_x_ * along_y_; }
-  /// (1) of some blocks, by a thread each; empty beyond the last. Collective: all ranks ask for as many.
-  std::vector<PairSums> sums(Extent some, int threads);
+  /// (1) of some blocks, by a thread each.
+  std::vector<PairSums> sums(Extent some, int threads) const;
   /// The waves at the middles of a block's pairs, a row a lag.
   AxisProducts waves(Index b, const std::vector<LongWaves::Wave>& all) const;
-  /// The measured points of each block in a row of blocks; of one rank alone.
+  /// The measured points of each block in a row of blocks.
   Eigen::VectorXd points(Index row) const;
 
  private:
@@ -57,11 +50,6 @@ class PairBlocks {
 
     Index length() const { return last - first; }
   };
-  // Rows of the field that a piece and all partners of its points lie in; of several ranks, a copy of them.
-  struct Near {
-    std::vector<Index> rows;  // of the field or the copy; -1 beyond the field
-    std::shared_ptr<const Field> copy;
-  };
   struct Spectrum;
 
   Index x_of(Index b) const { return b / along_y_; }
@@ -69,25 +57,20 @@ class PairBlocks {
   static Range block(Index b, Index blocks, Index n);
   static Index largest(Index blocks, Index n);
   static Range partnered(Range x, Index lag, Index n, bool periodic);
-  Near rows_about(Range x);
   template <class Value>
-  Field surroundings(const Near& near, Range y, Value value) const;
-  void add_row(PairSums& out, const Near& near, Range x, Index y_of_block) const;
-  PairSums sums(const Near& near, Range x, Range y) const;
+  Field surroundings(Range x, Range y, Value value) const;
+  PairSums sums(Range x, Range y) const;
   AlignedVector<Complex> transformed(const Field& f) const;
   Field correlated(const Spectrum& f, const Spectrum& g) const;
   void squares_of_rectangles(const Field& far, Range x, Range y, PairSums& out) const;
 
   const Field& d_;
-  Slabs rows_;
   Grid grid_;
   Shape max_lag_;
   Index along_x_, along_y_;
   bool complete_;
   Shape piece_, torus_;
   RealTransform2D transform_;
-  std::vector<Index> kept_ = {};  // rows that were copied last: the next block's too, where it lies beside
-  std::shared_ptr<const Field> copy_ = std::make_shared<const Field>();
 };
 
 }  // namespace asperity

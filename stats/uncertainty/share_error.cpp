@@ -39,22 +39,21 @@ ShareErrors::ShareErrors(const Grid& grid, const FieldExtent& extent, Index clas
   values_.setZero(classes);
 }
 
-void ShareErrors::add(const Field& rows, const std::function<Index(double)>& class_of) {
+void ShareErrors::add(const Field& z, const std::function<Index(double)>& class_of) {
   Eigen::VectorXd wave(x_.rows());
-  for (Index i = 0; i < rows.rows(); ++i) {
-    along_.add_row(of_points_, rows_ + i, (!rows.row(i).isNaN()).cast<double>().matrix().transpose());
-    for (Index j = 0; j < rows.cols(); ++j) {
-      const double z = rows(i, j);
-      if (std::isnan(z)) continue;
-      const Index b = class_of(z);
-      wave = x_.col(rows_ + i).cwiseProduct(y_.col(j));
+  for (Index i = 0; i < z.rows(); ++i) {
+    along_.add_row(of_points_, i, (!z.row(i).isNaN()).cast<double>().matrix().transpose());
+    for (Index j = 0; j < z.cols(); ++j) {
+      const double value = z(i, j);
+      if (std::isnan(value)) continue;
+      const Index b = class_of(value);
+      wave = x_.col(i).cwiseProduct(y_.col(j));
       waves_.col(b) += wave;
-      of_values_ += z * wave;
-      values_(b) += z;
-      squares_ += z * z;
+      of_values_ += value * wave;
+      values_(b) += value;
+      squares_ += value * value;
     }
   }
-  rows_ += rows.rows();
   at_all_ = waves_.rowwise().sum();
   directions_ = long_waves_.directions(of_points_);
 }

@@ -47,8 +47,8 @@ namespace asperity {
 class ShareErrors {
  public:
   ShareErrors(const Grid& grid, const FieldExtent& extent, Index classes);
-  /// The next rows of the field, whose values that are not NaN belong to the classes 0, 1, …
-  void add(const Field& rows, const std::function<Index(double value)>& class_of);
+  /// Of a field whose values that are not NaN belong to the classes 0, 1, …
+  void add(const Field& z, const std::function<Index(double value)>& class_of);
   /// From now on class b holds those below it too.
   void accumulate();
 
@@ -80,7 +80,6 @@ class ShareErrors {
   Eigen::VectorXd at_all_, of_values_;  // over all points: Σ u_k, Σ u_k z
   Eigen::VectorXd values_;              // Σ z over a class
   double squares_ = 0;                  // Σ z² over all
-  Index rows_ = 0;                      // so far
 };
 
 /// A share or a density.

@@ -42,9 +42,8 @@ SizeErrors::SizeErrors(const Field& d, const LagField& estimate, const Pairs& pa
                        const FieldExtent& extent, const EffectiveSampleSize& size, int threads)
     : values_(sizes(size)) {
   const LagField rho = estimate.normalised();
-  const AcfDeviations deviations = LagWaves(d, pairs.grid(), lags_of_sums(rho, pairs), extent, threads,
-                                            LagWaves::Number::all, rho.rows().ranks())
-                                       .of_ratio(rho);
+  const AcfDeviations deviations =
+      LagWaves(d, pairs.grid(), lags_of_sums(rho, pairs), extent, threads).of_ratio(rho);
   auto figures = [&](const LagField& of) { return sizes(EffectiveSampleSize::of_estimate(of, pairs, form)); };
   errors_ = values_ * deviations.relative_errors(rho, figures, threads) * kept(size.effective(2)) /
             kept(size.effective(1));

@@ -59,15 +59,6 @@ TEST_CASE("a head that lists more than there can be of a kind is refused before 
   CHECK_THROWS_AS(encode_netcdf(data), DataError);  // rather than what nobody reads
 }
 
-TEST_CASE("of a dataset whose fields stay in the file, these take no memory", "[netcdf][memory][contract]") {
-  const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("asperity-memory-" + std::to_string(std::random_device()()));
-  std::ofstream(path, std::ios::binary) << encode_netcdf(surface());
-  CHECK_NOTHROW(NetcdfFile(path.string(), {axes + sizeof(double) * side}));
-  CHECK_THROWS_AS(decode_netcdf(encode_netcdf(surface()), {2 * field}), DataError);
-  std::filesystem::remove(path);
-}
-
 // 8 × 6 heights and their axes.
 TEST_CASE("a NetCDF-4 file that takes more memory than is allowed is refused", "[netcdf][memory][contract]") {
   const std::string bytes = content(ASPERITY_TEST_DATA "/../corpus/netcdf4/whole");

@@ -226,15 +226,14 @@ TEST_CASE("a head of whose words one is replaced is refused, or holds no more va
   }
 }
 
-TEST_CASE("a file on disk whose head claims more than it holds is refused, by parts too",
-          "[netcdf][contract]") {
+TEST_CASE("a file on disk whose head claims more than it holds is refused", "[netcdf][contract]") {
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("asperity-head-" + std::to_string(std::random_device()()));
   const std::string bytes = encode_netcdf(of_every_type(false));
   const auto refused = [&](const std::string& content) {
     std::ofstream(path, std::ios::binary) << content;
     try {
-      NetcdfFile file(path.string());
+      open_netcdf(path.string());
       return false;
     } catch (const DataError&) {
       return true;
@@ -250,17 +249,13 @@ TEST_CASE("a file on disk whose head claims more than it holds is refused, by pa
   std::filesystem::remove(path);
 }
 
-TEST_CASE("a NetCDF-4 file holds what the classic one does that it was made from, by parts too",
-          "[netcdf][exact]") {
+TEST_CASE("a NetCDF-4 file holds what the classic one does that it was made from", "[netcdf][exact]") {
   const Dataset classic = decode_netcdf(content(corpus("netcdf/cdf2")));
   CHECK(same(decode_netcdf(content(corpus("netcdf4/whole"))), classic));
-  const NetcdfFile parts(corpus("netcdf4/whole"));
-  CHECK(parts.part("heights", "x", 0, classic.length("x")) == classic.at("heights").values);
 }
 
-TEST_CASE("a NetCDF-4 file without its values is refused, by parts too", "[netcdf][contract]") {
+TEST_CASE("a NetCDF-4 file without its values is refused", "[netcdf][contract]") {
   CHECK_THROWS_AS(decode_netcdf(content(corpus("netcdf4/never-written"))), DataError);
-  CHECK_THROWS_AS(NetcdfFile(corpus("netcdf4/never-written")), DataError);
 }
 
 // The library once forked to read NetCDF-4, and set how the end of children is heard meanwhile: of whatever
@@ -269,7 +264,7 @@ TEST_CASE("the library starts no process to read NetCDF-4", "[netcdf][contract]"
   static int forks = 0;
   REQUIRE(::pthread_atfork([] { ++forks; }, nullptr, nullptr) == 0);
   decode_netcdf(content(corpus("netcdf4/whole")));
-  NetcdfFile file(corpus("netcdf4/whole"));
+  open_netcdf(corpus("netcdf4/whole"));
   CHECK(forks == 0);
 }
 

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <unistd.h>
 
-#include "dataset/field_file.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "support.hpp"
@@ -40,7 +39,7 @@ TEST_CASE("a second dataset behind the first is refused with its number of bytes
     CHECK_THROWS_WITH(decode_netcdf(one + one), ContainsSubstring(words));
     CHECK_THROWS_WITH(decode_netcdf(one + "rest"), ContainsSubstring("4 bytes follow its end"));
     std::ofstream(path, std::ios::binary | std::ios::trunc) << one << one;
-    CHECK_THROWS_WITH(FieldFile(path, "heights"), ContainsSubstring(words));
+    CHECK_THROWS_WITH(open_netcdf(path), ContainsSubstring(words));
   }
   std::filesystem::remove(path);
 }

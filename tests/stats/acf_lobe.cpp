@@ -1,5 +1,6 @@
 #include "core/error.hpp"
 #include "fields.hpp"
+#include "stats/measure/acf_estimate.hpp"
 #include "stats/spatial/acf_length.hpp"
 
 using namespace asperity;
@@ -117,4 +118,18 @@ TEST_CASE("a lobe that reaches the longest lags has Sal across it but neither St
   CHECK_FALSE(central_lobe(LagField(Field::Ones(5, 9)), g).r_min);
   CHECK_THROWS_AS(central_lobe(ridges, g, 1.0), ParameterError);
   CHECK_THROWS_AS(central_lobe(ridges, g, 0.0), ParameterError);
+}
+
+// Of the first 64 lags alone, where lengths are looked for first, the lobe is open and nothing falls to 10 %.
+TEST_CASE("lengths beyond the first 64 lags are found as among all lags", "[acf][exact]") {
+  const Grid g = grid(400, 60);
+  const Surface surface = prepared({.grid = g, .heights = moving_average(g.shape, {90, 3}, 7)}, {});
+  const AcfEstimate estimate = AcfEstimate::of(surface, {.max_lag = default_max_lag(g)});
+  const Parameters lengths = acf_lengths(estimate, {{0.1, "10", "10 %"}}, {}, {}, {});
+  const auto crossing = first_crossing(estimate.rho, g, 0, 0.1);
+  REQUIRE(crossing);
+  CHECK(crossing->lag > 64);
+  CHECK(std::ranges::find(lengths, "length_10_x", &Parameter::name)->value == crossing->lag);
+  CHECK(std::ranges::find(lengths, "ellipticity_10", &Parameter::name)->value ==
+        central_lobe(estimate.rho, g, 0.1).ellipse->gamma());
 }

@@ -192,3 +192,31 @@ TEST_CASE("a map, its transpose and its mirror image are worth the same number o
     CHECK(relative_error(worth(z.colwise().reverse(), g), worth(z, g)) <= 1e-12);
   }
 }
+
+// The lags in the order of their certainty, from all of them: what two passes find in less memory.
+TEST_CASE("the lags that exceed noise are those that come before the first within three errors",
+          "[effective-size][exact]") {
+  for (const Grid& g : {grid(256, 80), grid(201, 67), Grid{{200, 96}, 2, 1.5, true}}) {
+    const LagField rho =
+        estimate_autocorrelation(3 + moving_average(g.shape, {4, 3}, 7), g, {.max_lag = default_max_lag(g)})
+            .normalised();
+    const Pairs pairs(g);
+    std::vector<std::pair<double, WeightedLag>> all;
+    for_each_lag(rho, pairs, [&](Index p, Index q, double weight) {
+      const double z =
+          p == 0 && q == 0 ? INFINITY : std::abs(rho(p, q)) * std::sqrt(pairs.pair_fraction(p, q));
+      all.push_back({z, {p, q, rho(p, q), weight}});
+    });
+    std::ranges::sort(all, std::greater(), [](const auto& lag) { return lag.first; });
+    double sum = 0;
+    std::size_t admitted = 0;
+    for (const auto& [z, lag] : all) {
+      if (z <= 3 * std::sqrt(sum / pairs.points())) break;
+      sum += lag.weight * lag.rho * lag.rho;
+      ++admitted;
+    }
+    CAPTURE(text(g.shape));
+    CHECK(admitted > 12);
+    CHECK(significant(rho, pairs).size() == admitted);
+  }
+}

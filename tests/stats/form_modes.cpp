@@ -106,25 +106,6 @@ TEST_CASE("a form over an outline takes the trace of its projection, and B is th
   }
 }
 
-// A strip of all rows has the same pairs; of several strips, those within one.
-TEST_CASE("modes summed in one strip are those of the whole outline", "[form-modes][law]") {
-  constexpr Index n = 24;
-  const Field points = disc(n);
-  const Grid g = grid(n, n);
-  FormFit fit({n, n}, 2);
-  for (fit.add(points, 0), fit.end_pass(); !fit.done(); fit.end_pass()) fit.add(points, 0);
-  StripAutocorrelation whole(g, n), halves(g, n / 2);
-  FormModes::add(whole, fit, points, 0);
-  FormModes::add(halves, fit, points.topRows(n / 2), 0);
-  FormModes::add(halves, fit, points.bottomRows(n / 2), n / 2);
-  const LagField B = FormModes(points, Pairs::of(points, g), 2).correlation({n / 2, n / 2}),
-                 once = FormModes(g, fit, whole).correlation({n / 2, n / 2}),
-                 twice = FormModes(g, fit, halves).correlation({n / 2, n / 2});
-  CHECK((once.half_plane() - B.half_plane()).abs().maxCoeff() <= 1e-10);
-  CHECK(std::abs(twice(2, 1) - B(2, 1)) <= 0.2);
-  CHECK(twice(n / 2, 0) == 0);
-}
-
 // M of N degrees of freedom.
 TEST_CASE("of white noise a form takes as many points as it has modes, and B is 1 at lag zero",
           "[form-modes][exact]") {
@@ -149,8 +130,8 @@ TEST_CASE("with what the form took put back, Sq is that of the surface without i
   for (const int degree : {2, 4}) {
     Spread by_correlation, by_modes;
     for (unsigned seed = 0; seed < 100; ++seed) {
-      const Surface surface =
-          prepared({.grid = g, .heights = moving_average(g.shape, {5, 4}, seed)}, {.form = {.degree = degree}});
+      const Surface surface = prepared({.grid = g, .heights = moving_average(g.shape, {5, 4}, seed)},
+                                       {.form = {.degree = degree}});
       const Sample sample(surface, false);
       const double square = std::pow(sample.moments().sq, 2);
       by_correlation.add(square / (1 - sample.size().taken_by_form()));
@@ -173,8 +154,8 @@ TEST_CASE("above a form the error of the mean is that of the mean of the surface
         EffectiveSampleSize(triangular_correlation({5, 4}), Pairs::of(points, g)).mean_power(1);
     Spread stated;
     for (unsigned seed = 0; seed < 100; ++seed) {
-      const Surface surface =
-          prepared({.grid = g, .heights = points * moving_average(g.shape, {5, 4}, seed)}, {.form = {.degree = 2}});
+      const Surface surface = prepared({.grid = g, .heights = points * moving_average(g.shape, {5, 4}, seed)},
+                                       {.form = {.degree = 2}});
       stated.add(std::pow(Sample(surface, false).height_errors()->of_mean(), 2));
     }
     // Four errors of the mean over the fields, and 3 % that 1/(1 - L)² may be off at N_eff = 880.
@@ -189,8 +170,8 @@ TEST_CASE("intervals of the median of skewed heights hold it above a form", "[fo
   const Grid g = grid(96, 80);
   int held = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
-    const Surface surface =
-        prepared({.grid = g, .heights = moving_average(g.shape, {5, 5}, 500 + seed).exp()}, {.form = {.degree = 4}});
+    const Surface surface = prepared(
+        {.grid = g, .heights = moving_average(g.shape, {5, 5}, 500 + seed).exp()}, {.form = {.degree = 4}});
     const Sample sample(surface, false);
     const double median = sample.quantiles({0.5})[0], truth = 1 - std::exp(0.5);
     const Interval ends = *quantile_estimates(sample, {0.5}, {median})[0].interval;

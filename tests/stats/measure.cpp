@@ -56,16 +56,7 @@ TEST_CASE("of a field that is no length hybrid parameters have no value, and say
   CHECK(named(measure(surface), "Sa").unit == "Pa");
 }
 
-TEST_CASE("a surface in strips has no spatial parameters, and one without roughness no parameters at all",
-          "[measure][contract]") {
-  const Field z = moving_average({40, 44}, {3, 2}, 405);
-  const StripReader reader(
-      {grid(40, 44), [&](Index first, Index count) { return z.middleRows(first, count); },
-       [&](Index first, Index count) { return z.middleCols(first, count); }},
-      0, 10 * 44 * 80);
-  const Sample strips(reader, {.grid = grid(40, 44)});
-  CHECK(relative_error(strips.moments().sq, moments(z).sq) <= 1e-13);
-  CHECK_THROWS_AS(measure(strips, Group::spatial, {}), DataError);
+TEST_CASE("a surface without roughness has no parameters", "[measure][contract]") {
   CHECK_THROWS_AS(measure(surface_of(Field::Ones(9, 9))), DataError);
 }
 

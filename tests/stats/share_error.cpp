@@ -32,7 +32,7 @@ TEST_CASE("errors of shares are those of the means of their indicators", "[share
   const double slope = 0.3;
   ShareErrors of(g, extent, 4);
   auto class_of = [](double height) { return static_cast<Index>(std::clamp(height + 2, 0.0, 3.0)); };
-  of.add(z.topRows(33), class_of), of.add(z.bottomRows(37), class_of);
+  of.add(z, class_of);
   ShareErrors::Function f(of);
   f.add(1, 0.5), f.add(2, -2);
   LocalSums sums(g, 1);

@@ -65,9 +65,6 @@ TEST_CASE("what is too large for quick twins says which option has them", "[stat
   CHECK_THAT(all.error, ContainsSubstring("--errors twins"));
   CHECK_FALSE(Json::parse(require("asperity-stats -q --json --parameters all large.nc").out)["Sz"].contains(
       "standard_error"));
-  const Outcome strips = shell("asperity-stats large.nc --memory 1MB --errors twins");
-  CHECK((strips.exit == 2 && lines(strips.error) == 1));
-  CHECK_THAT(strips.error, ContainsSubstring("--errors twins needs the whole field"));
 }
 
 // The slope from seven points does not fit into five. With the errors, the reason was left out.

@@ -1,11 +1,10 @@
-/// Slopes, spectral moments, summits and profiles of a field at hand, as a single strip.
+/// Slopes, spectral moments and summits of a field at hand, as a single strip.
 #pragma once
 
 #include "stats/filter/form.hpp"
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/spectral_moments.hpp"
 #include "stats/hybrid/summits.hpp"
-#include "stats/profile/profile.hpp"
 
 namespace asperity::test {
 
@@ -25,13 +24,6 @@ inline CountedSummits counted_summits(const Field& z, const Grid& grid, int thre
   SummitSums sums;
   sums.add(Strip::whole(z, grid), mean(z), threads);
   return sums.summits(grid);
-}
-
-inline ProfileAverages average_profiles(const Field& z, const Pairs& pairs, Axis1D along, double section,
-                                        const LagField& rho) {
-  ProfileSums sums(pairs.grid(), along, section);
-  sums.add(z);
-  return sums.averages(pairs, rho);
 }
 
 }  // namespace asperity::test

@@ -20,8 +20,7 @@ std::string draw(const std::string& shape, const std::string& size, const std::s
 TEST_CASE("surfaces of different spacings have no mean: refused, with the file and both grids",
           "[ensemble][contract]") {
   const std::string both = draw("32x32", "640um", "coarse.nc") + draw("32x32", "320um", "fine.nc");
-  for (const std::string tool : {"asperity-stats", "asperity-stats --parameters height --memory 12kB",
-                                 "asperity-stats --profile x", "asperity-validate"}) {
+  for (const std::string tool : {"asperity-stats", "asperity-stats --profile x", "asperity-validate"}) {
     const Outcome run = shell(both + tool + " coarse.nc fine.nc");
     CAPTURE(tool, run.error);
     CHECK(run.exit == 4);
@@ -63,8 +62,6 @@ TEST_CASE("a length that is not that of the points is not taken, which every too
   const Outcome told = shell("asperity-stats -q stale.nc");
   CHECK_THAT(told.error, ContainsSubstring(warning));
   CHECK(told.out == shell("asperity-stats whole.nc").out);
-  CHECK_THAT(shell("asperity-stats -q stale.nc --parameters height --memory 12kB").error,
-             ContainsSubstring(warning));
   for (const std::string tool :
        {"asperity-acf stale.nc", "asperity-convert stale.nc", "asperity-filter stale.nc --scale 1",
         "asperity-generate --kernel stale.nc --seed 1"}) {

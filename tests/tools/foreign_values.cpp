@@ -153,13 +153,6 @@ TEST_CASE("a surface whose x descends is turned around, which a note and the his
   CHECK(a.at("heights").values == b.at("heights").values);
   CHECK(b.attributes.text("history").starts_with(line + "\n"));
   CHECK(shell("asperity-stats down-stress.nc").error.empty());
-  // the same where the values stay in the file
-  const std::string strips = "asperity-stats --memory 8kB --remove-form plane --parameters height,hybrid ";
-  const Outcome strip_one = shell(strips + "up.nc"), strip_other = shell(strips + "down.nc");
-  CAPTURE(strip_one.error);
-  REQUIRE(strip_one.exit == 0);
-  CHECK(strip_one.out == strip_other.out);
-  CHECK_THAT(strip_other.error, ContainsSubstring("down.nc: " + line));
 }
 
 // The second was lost without a word.
@@ -168,7 +161,6 @@ TEST_CASE("two datasets in one stream are refused with the number of bytes of th
   const auto bytes = std::to_string(std::filesystem::file_size(scratch("drawn.nc")));
   for (const std::string& line : {std::string("cat drawn.nc drawn.nc | asperity-stats"),
                                   std::string("cat drawn.nc drawn.nc > two.nc; asperity-psd two.nc"),
-                                  std::string("asperity-stats two.nc --memory 8kB"),
                                   std::string("cat drawn.nc drawn.nc | ") + press + "-o p.nc"}) {
     const Outcome run = shell(line);
     CAPTURE(line, run.error);

@@ -169,7 +169,6 @@ TEST_CASE("an output does not take the place of what is read, but for a dataset 
                                  std::string("asperity-stats own >> own"),
                                  std::string("asperity-stats own.nc own -o own"),
                                  std::string("echo own | asperity-stats --files-from - -o own"),
-                                 std::string("asperity-stats own --memory 1kB --parameters height -o own"),
                                  std::string("asperity-validate own -o own"),
                                  std::string("asperity-pdf own -o own"),
                                  std::string("asperity-acf own --result lengths -o own"),

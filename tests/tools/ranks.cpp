@@ -166,51 +166,15 @@ TEST_CASE("when a rank is killed the others end, and no file is left", "[ranks][
 
 TEST_CASE("a tool that runs as one process refuses to be copied by a launcher", "[ranks][contract]") {
   for (const std::string tool :
-       {"asperity-filter s.nc", "asperity-generate --shape 8x8 --size 1mm --rq 1um --length 1px"}) {
+       {"asperity-filter s.nc", "asperity-acf s.nc", "asperity-psd s.nc", "asperity-stats s.nc",
+        "asperity-generate --shape 8x8 --size 1mm --rq 1um --length 1px"}) {
     const Outcome refused = shell("OMPI_COMM_WORLD_SIZE=2 " + tool + " -o copied.nc");
-    CHECK(refused.exit == 1);
-    CHECK_THAT(refused.error, ContainsSubstring("2 copies were started"));
+    CAPTURE(tool, refused.error);
+    CHECK(refused.exit == 2);
+    CHECK(lines(refused.error) == 1);
+    CHECK_THAT(refused.error, ContainsSubstring("2 copies were started") &&
+                                  ContainsSubstring("with threads, or several surfaces as an array job"));
   }
+  CHECK(shell("test -e copied.nc").exit != 0);
   CHECK(shell("OMPI_COMM_WORLD_SIZE=1 asperity-filter --version").exit == 0);
-}
-
-TEST_CASE("several ranks write and print what one measures", "[ranks][acf][psd][moments][slow]") {
-  if (no_mpirun()) return;
-  draw();
-  REQUIRE(shell("asperity-generate -q --shape 940x930 --size 1mm --rq 0.2um --length 20um --seed 3 -o l.nc")
-              .exit == 0);
-  check_same({
-      "asperity-acf s.nc --no-history -o OUT.nc",
-      "asperity-acf p.nc --max-lag 70x33 --absolute --no-history -o OUT.nc",
-      "asperity-acf s.nc --result lengths --correlation estimate",
-      "asperity-acf p.nc --result profiles --max-lag 50x50", "asperity-psd s.nc --no-history -o OUT.nc",
-      "asperity-psd s.nc --result radial",
-      "asperity-stats l.nc --correlation estimate",  // above the size that twins are quick at
-  });
-}
-
-TEST_CASE("what needs the whole field is refused under mpirun in one line", "[ranks][contract][slow]") {
-  if (no_mpirun()) return;
-  draw();
-  const std::vector<std::pair<std::string, std::string>> refused{
-      {"asperity-acf s.nc --add acf_error -o no.nc", "--add: acf_error needs the whole field"},
-      {"asperity-psd s.nc p.nc -o no.nc", "2 surfaces cannot be shared"},
-      {"asperity-stats s.nc --parameters hybrid", "--parameters: hybrid needs the whole field"},
-  };
-  for (const auto& [run, words] : refused) {
-    const Outcome outcome = shell(mpirun(2) + run);
-    CAPTURE(run, outcome.error);
-    CHECK(outcome.exit == 2);
-    CHECK(lines(outcome.error) == 1);
-    CHECK_THAT(outcome.error, ContainsSubstring(words));
-  }
-  Dataset map = read_dataset("s.nc");
-  std::get<std::vector<double>>(map.find("heights")->values).at(570 * 540 + 3) = NAN;
-  write_dataset(map, "hole.nc");
-  const Outcome hole = shell(mpirun(2) + "asperity-acf hole.nc -o no.nc");
-  CAPTURE(hole.error);
-  CHECK(hole.exit == 4);
-  CHECK(lines(hole.error) == 1);
-  CHECK_THAT(hole.error, ContainsSubstring("missing points"));
-  CHECK(shell("test -e no.nc").exit != 0);
 }

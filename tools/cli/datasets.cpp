@@ -76,14 +76,15 @@ void Tool::settle(Dataset& dataset, const std::string& name) const {
   for (const std::string& line : std::exchange(dataset.notes, {})) note(of + line);
 }
 
-void Tool::require_memory(double bytes, const std::string& option, const std::string& what) const {
+void Tool::require_memory(double bytes, const std::string& option, const std::string& what,
+                          const std::string& instead) const {
   if (!(bytes > static_cast<double>(memory_bound().bytes))) return;
   const auto megabytes = [](double size) {
     return std::to_string(std::llround(std::ceil(size / 1e6))) + "MB";
   };
   throw UsageError(option, what + " needs some " + megabytes(bytes) + ", more than the " +
                                megabytes(static_cast<double>(memory_bound().bytes)) +
-                               " that --memory allows");
+                               " that --memory allows" + instead);
 }
 
 void Tool::writes(const std::string& option, const std::string& name) {

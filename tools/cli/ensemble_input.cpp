@@ -139,19 +139,15 @@ class EnsembleInput::Visits {
   /// A file.
   void add(const std::string& name, std::size_t number, std::size_t of) {
     const Read read = [this, name] { return run.tool.read(name); };
-    const bool apart = run.apart.are && run.apart.are(name);
     std::error_code none;
-    if (turns_ && !apart && std::filesystem::is_regular_file(name, none))
+    if (turns_ && std::filesystem::is_regular_file(name, none))
       return turns_->add([this, name, number, of, read] {
         begin(name, number, of);
         if (std::optional<EnsembleMember> member = opened(name, number, of, read)) visit(std::move(*member));
       });
     finish();
     begin(name, number, of);
-    if (apart)
-      run.apart.visit(name);
-    else
-      add_read(name, number, of, read);
+    add_read(name, number, of, read);
   }
   /// Reads a surface now; the first decides how many are visited at once.
   void add_read(const std::string& name, std::size_t number, std::size_t of, const Read& read) {
@@ -204,11 +200,8 @@ class EnsembleInput::Visits {
 // The dataset on standard input, one of so many. It is kept for another visit.
 void EnsembleInput::visit_standard_input(Visits& visits, std::size_t number, std::size_t of) {
   const Run& run = visits.run;
-  constexpr const char* own = "/proc/self/fd/0";  // if it is a file
-  visits.finish();
   if (of > 1) run.tool.about("-");
   run.tool.reads("-", of == 1 && run.tool.result_is_dataset());
-  if (!piped_ && run.apart.are && run.apart.are(own)) return run.apart.visit(own);
   if (!piped_) piped_ = piped(run.tool);
   const bool names = look_like_names(*piped_);
   visits.add_read("-", number, of, [&]() -> Dataset {

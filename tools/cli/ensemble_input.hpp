@@ -44,24 +44,16 @@ struct EnsembleInput {
 
   using Visit = std::function<void(EnsembleMember&&)>;
   using Failed = std::function<void(const std::string& name, const std::string& why)>;
-  /// Files that are read in another way.
-  struct Apart {
-    std::function<bool(const std::string& path)> are;
-    std::function<void(const std::string& path)> visit;
-  };
 
   /// Calls visit(member) for each surface. Of small ones several are visited at once: whatever they share,
   /// they leave to their turn (cli/turns.hpp). What comes from a pipe is read in its turn. Of a surface that
   /// is alone, --output may take the place, as of Tool::read(). After resolve(), several surfaces can be
   /// visited again.
-  void for_each(const Tool& tool, const Visit& visit) { visit_all({tool, visit, {}, {}}); }
-  void for_each(const Tool& tool, const Visit& visit, const Apart& apart) {
-    visit_all({tool, visit, {}, apart});
-  }
+  void for_each(const Tool& tool, const Visit& visit) { visit_all({tool, visit, {}}); }
   /// The same; where there are several, one that cannot be read is told to `failed`, in its turn, and the
   /// others go on.
   void for_each(const Tool& tool, const Visit& visit, const Failed& failed) {
-    visit_all({tool, visit, failed, {}});
+    visit_all({tool, visit, failed});
   }
 
  private:
@@ -70,7 +62,6 @@ struct EnsembleInput {
     const Tool& tool;
     const Visit& visit;
     Failed failed;  ///< empty: an error ends the run
-    Apart apart;    ///< empty: none
   };
   void visit_all(const Run& run);
   void visit_standard_input(Visits& visits, std::size_t number, std::size_t of);

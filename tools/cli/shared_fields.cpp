@@ -101,24 +101,12 @@ const Slabs& SharedFields::slabs() const { return served_->slabs; }
 
 void SharedFields::set(Dataset& data, std::string_view name, Field own, Meaning meaning) {
   if (!slabs().shared()) return set_field(data, name, own, meaning);
-  share(data, name, {"x", "y"}, std::move(own), meaning);
-}
-
-void SharedFields::set_table(Dataset& data, std::string_view name, const Field& own, Axis row, Axis column,
-                             Meaning meaning, Missing missing) {
-  if (!slabs().shared()) return asperity::set_table(data, name, own, row, column, meaning, missing);
-  set_axes(data, {slabs().rows(), own.cols()}, row, column);
-  share(data, name, {std::string(row.name), std::string(column.name)}, own, meaning);
-}
-
-void SharedFields::share(Dataset& data, std::string_view name, std::vector<std::string> dimensions, Field own,
-                         Meaning meaning) {
   const Ranks& ranks = slabs().ranks();
   auto most = [&](const auto& values) {  // of no rows less than of any
     return largest(ranks, values.size() > 0 ? values.template maxCoeff<Eigen::PropagateNaN>() : -INFINITY);
   };
   const double low = -most(-own), high = most(own);
-  defer_values(data, name, std::move(dimensions), {low, high}, meaning);
+  defer_values(data, name, {"x", "y"}, {low, high}, meaning);
   served_->fields.push_back(std::move(own));
   data.find(name)->unread = served_->last_field();
 }

@@ -29,16 +29,11 @@ class SharedFields {
   const Slabs& slabs() const;
   /// As set_field of all rows.
   void set(Dataset& data, std::string_view name, Field own, Meaning meaning);
-  /// As set_table of all rows.
-  void set_table(Dataset& data, std::string_view name, const Field& own, Axis row, Axis column,
-                 Meaning meaning, Missing missing = Missing::refused);
   /// write() on the first rank, while the others answer for their rows.
   void first_writes(const std::function<void()>& write) const;
 
  private:
   class Served;
-  void share(Dataset& data, std::string_view name, std::vector<std::string> dimensions, Field own,
-             Meaning meaning);
   std::shared_ptr<Served> served_;
 };
 

@@ -65,6 +65,14 @@ std::string with_options(std::string text) {
   return text;
 }
 
+// Copies would write one file.
+std::string copies_refused() {
+  return std::to_string(ranks_started()) +
+         " copies were started by mpirun or its like, but this tool runs as one process: start it by itself, "
+         "with threads, or several surfaces as an array job, a process each; for separate runs under the "
+         "launcher unset OMPI_COMM_WORLD_SIZE and PMI_SIZE";
+}
+
 }  // namespace
 
 Tool::~Tool() = default;
@@ -73,14 +81,6 @@ Tool::~Tool() = default;
 int Tool::thread_count() const {
   return threads_ == 0 && ranks().count() > 1 ? std::max(1, resolve_threads(0) / ranks_on_machine())
                                               : resolve_threads(threads_);
-}
-
-// Copies would write one file.
-void Tool::refuse_copies() const {
-  if (ranks_started() == 1 || shares_ranks_) return;
-  throw std::runtime_error(std::to_string(ranks_started()) +
-                           " copies were started by mpirun or its like, but this tool runs as one process; "
-                           "for separate runs unset OMPI_COMM_WORLD_SIZE and PMI_SIZE");
 }
 
 bool Tool::shows_progress() const {
@@ -121,7 +121,7 @@ std::string Tool::in_file(const DataError& error) const {
 int Tool::answer(int argc, char** argv, const std::function<int()>& body) try {
   if (shares_ranks_) ranks_ = &launched();
   parse(argc, argv);
-  refuse_copies();
+  if (ranks_started() > 1 && !shares_ranks_) return fail(usage_error, copies_refused());
   source_date();  // refused before the work, not after
   if (dump_config_) throw CLI::Success(config_text(*app_), CLI::ExitCodes::Success);
   if (writes_dataset_ && !writes_any_ && !writes_table_) refuse_terminal(output_);

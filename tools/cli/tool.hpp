@@ -223,7 +223,8 @@ class Tool {
   /// To another file, which gets its name in turn (cli/turns.hpp). `lines`: what the run did, as of sign().
   void write(Dataset& dataset, const std::string& name, const std::vector<std::string>& lines = {}) const;
   /// Throws UsageError(option, …) where `what`, "a contact of 64x64 cells", needs more than --memory allows.
-  void require_memory(double bytes, const std::string& option, const std::string& what) const;
+  void require_memory(double bytes, const std::string& option, const std::string& what,
+                      const std::string& instead = "") const;
   // The parts of write(), for a tool that writes its dataset piece by piece.
   /// Conventions, source and history; `lines` are what the run did, behind its command.
   void sign(Dataset& dataset, const std::vector<std::string>& lines = {}) const;
@@ -246,7 +247,6 @@ class Tool {
   std::vector<Step> steps_of_command_line() const;
   std::vector<Step> steps_of_text() const;
   void settle_steps();
-  void refuse_copies() const;
   Dataset read_by(const std::string& name, std::string_view first_bytes,
                   const std::function<Dataset()>& decoded) const;
   void add_common();

@@ -35,8 +35,8 @@ void add_profile(Table& table, const AcfResult& result, bool absolute, bool x) {
 // Over the half-plane of lags.
 class Writer {
  public:
-  Writer(Dataset& data, SharedFields& fields, const Grid& grid, const AcfContent& content)
-      : data_(data), fields_(fields), grid_(grid), content_(content) {}
+  Writer(Dataset& data, const Grid& grid, const AcfContent& content)
+      : data_(data), grid_(grid), content_(content) {}
 
   void acf(const Field& values, const char* meaning = "autocorrelation estimated from the field") {
     write("acf", values, content_.unit(), meaning);
@@ -62,11 +62,10 @@ class Writer {
   void write(const char* name, const Field& values, const std::string& unit, const char* meaning) {
     const Axis lag_x{"lag_x", 0, grid_.dx, "m", "lag in x"},
         lag_y{"lag_y", -(values.cols() / 2), grid_.dy, "m", "lag in y"};
-    fields_.set_table(data_, name, values, lag_x, lag_y, {unit, meaning}, Missing::not_a_number);
+    set_table(data_, name, values, lag_x, lag_y, {unit, meaning}, Missing::not_a_number);
   }
 
   Dataset& data_;
-  SharedFields& fields_;
   const Grid& grid_;
   const AcfContent& content_;
 };
@@ -92,12 +91,11 @@ Table acf_profiles(const AcfResult& result, const AcfContent& content) {
   return table;
 }
 
-void add_acf(Dataset& data, SharedFields& fields, const AcfResult& result, const Parameters& lengths,
-             const AcfContent& content) {
+void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, const AcfContent& content) {
   drop_results(data, "acf", content.variable);
   data.attributes.set("acf_variable", content.variable);
   const AcfEstimate& estimate = result.estimate;
-  Writer writer(data, fields, estimate.basis.pairs.grid(), content);
+  Writer writer(data, estimate.basis.pairs.grid(), content);
   const Field& rho = estimate.rho.half_plane();
   content.absolute ? writer.acf(estimate.variance * rho) : writer.acf(rho);
   if (result.errors)
@@ -136,8 +134,7 @@ Dataset AcfEnsemble::dataset(const Grid& grid) const {
   out.attributes.set("acf_variable", content_.variable);
   out.attributes.set("acf_surfaces", lengths_.surfaces());
   const Field acf = acf_.mean();
-  SharedFields fields{Slabs(acf.rows())};
-  Writer writer(out, fields, grid, content_);
+  Writer writer(out, grid, content_);
   writer.acf(acf, "mean autocorrelation of the surfaces");
   writer.error(acf_.standard_error());
   if (structured_) writer.structure(structure_.mean());

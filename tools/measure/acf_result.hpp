@@ -11,7 +11,6 @@
 #include "stats/measure/ensemble_parameters.hpp"
 #include "stats/sample/moments.hpp"
 #include "tools/cli/ensemble_table.hpp"
-#include "tools/cli/shared_fields.hpp"
 
 namespace asperity::cli {
 
@@ -39,9 +38,8 @@ struct AcfContent {
 /// R(p,0) and R(0,q), a row for each lag.
 Table acf_profiles(const AcfResult& result, const AcfContent& content);
 
-/// The variables and attributes of asperity-acf in place of former ones; `fields` has the rows of the ACF.
-void add_acf(Dataset& data, SharedFields& fields, const AcfResult& result, const Parameters& lengths,
-             const AcfContent& content);
+/// The variables and attributes of asperity-acf in place of former ones.
+void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, const AcfContent& content);
 
 /// The same over an ensemble: the mean of each, and acf_error, here that of the mean ACF.
 class AcfEnsemble {

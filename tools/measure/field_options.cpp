@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "acf/table.hpp"
 #include "core/error.hpp"
 #include "core/words.hpp"
@@ -30,6 +28,14 @@ void check_cutoffs(const Tool& tool, const Preparation& asked, const Grid& grid)
   warn_of_cutoff(tool, asked.longer.given() ? asked.longer : asked.shorter, grid);
 }
 
+// Of the field, its transform, and their like with missing points.
+void check_memory(const Tool& tool, Shape shape) {
+  constexpr double bytes_a_point = 40;
+  tool.require_memory(bytes_a_point * static_cast<double>(shape.cells()), "memory",
+                      "measuring " + text(shape) + " points",
+                      ": allow more, or cut or thin the map first (asperity-filter --crop, --decimate)");
+}
+
 }  // namespace
 
 void FieldOptions::declare(Tool& tool) {
@@ -52,6 +58,9 @@ void FieldOptions::declare_field(Tool& tool) {
               "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field. "
               "FILTER as of --lambda-s",
               "Field", "", into(asked.longer, parse_cutoff));
+  tool.memory(
+      "Memory limit for measuring, five times the field, and for reading, the bytes of an input plus three "
+      "times its map");
 }
 
 Surface FieldOptions::without_heights(const Dataset& data) const {
@@ -75,48 +84,25 @@ Surface FieldOptions::without_heights(const Dataset& data) const {
   return out;
 }
 
-void refuse_ranks(const Tool& tool, const std::string& option, const std::string& what) {
-  if (const int ranks = tool.ranks().count(); ranks > 1)
-    throw UsageError(option, fmt::format("{} needs the whole field, which {} ranks share: start one process",
-                                         what, ranks));
-}
-
-void FieldOptions::check_ranks(const Tool& tool, EnsembleInput& inputs) const {
-  if (tool.ranks().count() == 1) return;
-  inputs.resolve(tool);
-  if (!asked.form.is_mean()) refuse_ranks(tool, "remove-form", asked.form.words());
-  for (const char* filter : {"lambda-s", "lambda-c"})
-    if (tool.given(std::string("--") + filter)) refuse_ranks(tool, filter, "a filter");
-}
-
-Surface FieldOptions::read(const Tool& tool, const Dataset& data, const Ranks& ranks) const {
+Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
   Surface surface = without_heights(data);
-  const Slabs rows = shared_rows(surface.grid.shape, ranks);
-  surface.ranks = &rows.ranks();
-  agree(rows.ranks(), [&] {
-    surface.heights = field_of(data, variable, surface.units, rows.own(), Missing::not_a_number);
-    if (rows.shared() && surface.heights.isNaN().any())
-      throw DataError(variable,
-                      fmt::format("a field with missing points cannot be measured by {} ranks: start "
-                                  "one process",
-                                  rows.ranks().count()));
-  });
+  check_memory(tool, surface.grid.shape);
+  surface.heights = field_of(data, variable, surface.units, Missing::not_a_number);
   if (asked.form.kind != Form::Kind::polynomial) check_lengths(surface, "the radius of a form");
   check_cutoffs(tool, asked, surface.grid);
   surface = prepared(std::move(surface), asked, tool.thread_count());
   for (const std::string& doubt : surface.doubts) tool.warn(doubt);
-  if (!rows.shared())
-    warn_of_heights(tool, Proportions(surface.heights, surface.grid), surface.units, "--remove-form plane");
+  warn_of_heights(tool, Proportions(surface.heights, surface.grid), surface.units, "--remove-form plane");
   if (surface.filled > 0)
     tool.warn(in_digits(100 * surface.filled, 2) +
               " % of the points were filled; errors take them for measured, and are too small");
   return surface;
 }
 
-Surface FieldOptions::read_flat(const Tool& tool, const Dataset& data, const Ranks& ranks) const try {
-  return read(tool, data, ranks);
+Surface FieldOptions::read_flat(const Tool& tool, const Dataset& data) const try {
+  return read(tool, data);
 } catch (const FlatSurface& flat) {
-  if (ranks.count() > 1 || (!flat.surface->heights.isNaN()).count() < 2) throw;
+  if ((!flat.surface->heights.isNaN()).count() < 2) throw;
   tool.warn(flat.name + ": " + flat.what() + ": what grows with the heights is 0, the rest has no value");
   return *flat.surface;
 }

@@ -24,21 +24,14 @@ struct FieldOptions {
   /// Without --correlation, for a tool whose errors do not need one.
   void declare_field(Tool& tool);
 
+  /// Throws UsageError for cut-offs that no wave of the field passes; warns where a side is shorter than one.
+  /// And for a field whose measurement may take more than --memory.
+  Surface read(const Tool& tool, const Dataset& data) const;
   /// All but the heights of a surface.
   Surface without_heights(const Dataset& data) const;
-  /// Throws UsageError for cut-offs that no wave of the field passes; warns where a side is shorter than one.
-  /// Of several ranks that share the rows of a large field, each gets its own.
-  Surface read(const Tool& tool, const Dataset& data) const { return read(tool, data, tool.ranks()); }
-  Surface read(const Tool& tool, const Dataset& data, const Ranks& ranks) const;
-  /// The same; of a FlatSurface it warns and returns it, unless ranks share it or it is a single point.
-  Surface read_flat(const Tool& tool, const Dataset& data, const Ranks& ranks) const;
-  /// Throws UsageError where several ranks run the tool on several surfaces, on standard input, or with a
-  /// form or a filter.
-  void check_ranks(const Tool& tool, EnsembleInput& inputs) const;
+  /// The same; of a FlatSurface it warns and returns it, unless it is a single point.
+  Surface read_flat(const Tool& tool, const Dataset& data) const;
 };
-
-/// Throws UsageError(option, …) where several ranks run the tool, but `what` needs the whole field.
-void refuse_ranks(const Tool& tool, const std::string& option, const std::string& what);
 
 /// --result of a tool that writes a dataset or prints one of some tables. What it prints does not depend on
 /// where standard output goes.

@@ -60,11 +60,6 @@ void StatsOptions::declare(Tool& tool) {
       "simulation, 60 random fields of the same correlation, heights and missing points; auto: theory "
       "where simulations confirm it, else twins, for one surface where they take about two seconds",
       "Parameters");
-  tool.memory(
-      "Memory limit for the field. A NetCDF file larger than an eighth of it is read in strips. Spatial "
-      "parameters and filters need the whole field and are then refused if --memory is given. Ordering the "
-      "heights takes 25 MB more. If the dataset does not state the correlation, errors use an estimate from "
-      "within the strips");
   direction_option(tool, direction, "Parameters");
 }
 
@@ -83,15 +78,6 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
     out.groups.insert(Group::quantiles);
   }
   return out;
-}
-
-void StatsOptions::check_ranks(const Tool& tool, EnsembleInput& inputs) const {
-  field.check_ranks(tool, inputs);
-  for (const std::string& group : groups)
-    if (group != "height") refuse_ranks(tool, "parameters", group);
-  if (!profile.empty()) refuse_ranks(tool, "profile", "a profile");
-  if (!quantiles.empty()) refuse_ranks(tool, "quantiles", "a quantile");
-  if (errors == "twins") refuse_ranks(tool, "errors", errors);
 }
 
 std::set<Group> StatsOptions::asked_groups() const {

@@ -20,8 +20,6 @@ struct StatsOptions {
   void declare(Tool& tool);
   /// Throws UsageError for unknown or repeated words, and for an option whose group is not requested.
   MeasureOptions checked(const Tool& tool) const;
-  /// As that of the field, and for what several ranks cannot measure.
-  void check_ranks(const Tool& tool, EnsembleInput& inputs) const;
 
  private:
   std::set<Group> asked_groups() const;

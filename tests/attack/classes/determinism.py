@@ -126,33 +126,6 @@ def strips_of_an_exact_one(case):
     return RIGHT
 
 
-def strips_that_are_read(case):
-    """Parameters of a file that is read in strips are those of the whole."""
-    shape = tuple(int(n) for n in case.rng.integers(60, 200, 2))
-    surface = maps.random_surface(case.rng, shape)
-    holes = case.chance(0.3)
-    raw = np.where(case.rng.random(shape) < 0.1, -5.0, surface.z) if holes else None
-    maps.write_netcdf(case.path("in.nc"), surface, order=case.one_of("xy", "xy", "yx"),
-                      unit="m" if holes else case.one_of("m", "nm", "um"),
-                      xy_unit=case.one_of("m", "um"), kind="f8" if holes else case.one_of("f8", "f4"), raw=raw,
-                      extra={"_FillValue": -5.0} if holes else None, down=case.one_of((), (), "x", "y"),
-                      length=case.one_of("right", "none", "stale"), format=case.one_of("NETCDF3_64BIT_OFFSET", "NETCDF4"))
-    groups = ["--json", "--parameters", case.one_of("height", "height,hybrid", "material", "height,material,hybrid"),
-              *case.one_of([], ["--remove-form", "plane"], ["--remove-form", "2"])]
-    whole = strict_json(case.done("stats", "in.nc", *groups).out)
-    run = case.run("stats", "in.nc", *groups, "--memory", case.one_of("100kB", "300kB", "1MB"))
-    if run.code != 0:
-        return case.refused(run, 2, "memory")
-    parts = strict_json(run.out)
-    check(set(parts) == set(whole), f"the same parameters: {set(parts) ^ set(whole)}")
-    for name in set(parts) & set(whole):
-        if name.startswith(("N_eff", "nayak")) or whole[name]["value"] is None:
-            continue
-        check(close(parts[name]["value"], whole[name]["value"], 1e-7, 1e-12 * abs(whole[name]["value"])),
-              f"{name} = {whole[name]['value']!r} in strips too, not {parts[name]['value']!r}")
-    return RIGHT
-
-
 def other_number(case):
     """Surface n of an ensemble is the same alone; streams and seeds differ."""
     arguments = ["--shape", "20x16", "--size", "20um,16um", "--rq", "1um", "--length", "4px", "--seed", "7", "--no-history"]
@@ -166,6 +139,6 @@ def other_number(case):
     return RIGHT
 
 
-FAULTS = [strips_of_an_exact_one, threads, twice, through_pipes, elsewhere, pictures_in_any_language, strips_of_a_surface, strips_that_are_read,
+FAULTS = [strips_of_an_exact_one, threads, twice, through_pipes, elsewhere, pictures_in_any_language, strips_of_a_surface,
           other_number]
 FAMILIES = FAULTS
