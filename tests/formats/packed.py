@@ -58,9 +58,8 @@ def check_netcdf4():
         (None, (2, 40), (None, 40)),     # valid_range; valid_max
         (None, (0.5, None), (1.0, 3.0)), # scale_factor, add_offset
         (False, True))                   # rows never written
-    for n, (kind, fill, missing, valid, packing, hole) in enumerate(choices):
-        if n % 9 and kind not in ("i2", "f4"):
-            continue
+    # Every fifth: any three of these attributes meet in each of their values.
+    for n, (kind, fill, missing, valid, packing, hole) in enumerate(itertools.islice(choices, 0, None, 5)):
         if kind in ("i1", "u1") and hole and fill is None:
             continue  # the Users Guide has no default for bytes; netCDF4 masks one all the same
         what = (kind, fill, missing, valid, packing, hole)

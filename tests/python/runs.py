@@ -19,8 +19,8 @@ from support import STEEL, SURFACE
 
 import numpy
 import asperity as asp
-from asperity._calls import in_a_pipe
 from asperity._run import Run
+from asperity._stage import in_a_pipe
 
 LONG = dict(shape=(512, 512), size="3mm", rq="0.4um", length="17px", seed=7)
 PRESS = dict(young="208GPa", poisson=0.3, load="50N")

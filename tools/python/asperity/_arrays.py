@@ -4,7 +4,7 @@ import io
 import numpy as np
 
 from . import _data
-from ._calls import Stage, run_pipe
+from ._stage import Stage, run_pipe
 
 KNOWN = {np.dtype(name) for name in "f4 f8 i1 i2 i4 i8 u1 u2 u4 u8".split()}
 

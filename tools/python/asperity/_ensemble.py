@@ -6,8 +6,8 @@ import os
 import secrets
 
 from . import _options, _progress
-from ._calls import Stage, in_a_pipe
 from ._run import Run
+from ._stage import Stage, in_a_pipe
 
 PERIOD = 0.2  # seconds between two looks at the progress
 
