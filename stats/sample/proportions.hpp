@@ -10,6 +10,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -29,7 +30,10 @@ class Proportions {
   double plane_share() const;  ///< R²; 0 where all is level
   double longer_side() const { return std::max(grid_.size_x(), grid_.size_y()); }
 
-  bool implausible() const { return sq() > 0.1 * longer_side() || rms_slope() > 1; }
+  /// Not of heights whose squares are beyond a double.
+  bool implausible() const {
+    return (sq() > 0.1 * longer_side() || rms_slope() > 1) && std::isfinite(rms_slope());
+  }
   /// A plane makes up nine tenths and more of 16 heights and more.
   bool tilted() const { return count_ >= 16 && plane_share() > 0.9; }
 

@@ -112,7 +112,7 @@ TEST_CASE("a rotation of an X3P that takes its points off the grid, or is half m
 }
 
 // Alicona's programs mark missing points so; the files were refused.
-TEST_CASE("an infinite number of an X3P is a missing point, and told; one by its increment is refused",
+TEST_CASE("an infinite number of an X3P is a missing point, and told, and one by its increment is refused",
           "[formats][exact]") {
   Field z = whole_heights(), expected = z;
   z(1, 0) = HUGE_VAL;

@@ -47,7 +47,7 @@ void write_scene(const std::string& unit, const std::string& name) {
   const Grid grid{{12, 10}, 1e-6, 1e-6};
   Dataset data;
   set_grid(data, grid);
-  set_field(data, "heights", 1e-6 * random_field(grid.shape, 1), {"m", "height"});
+  set_field(data, "heights", 1e-7 * random_field(grid.shape, 1), {"m", "height"});
   set_field(data, "values", random_field(grid.shape, 2), {unit, name});
   write_dataset(data, "quoted.nc");
 }

@@ -19,7 +19,7 @@ void write_scene(Shape shape) {
   const Grid grid{shape, 1e-6, 1e-6};
   Dataset data;
   set_grid(data, grid);
-  set_field(data, "heights", 1e-6 * random_field(shape, 1), {"m", "height"});
+  set_field(data, "heights", 1e-7 * random_field(shape, 1), {"m", "height"});
   set_depths(data, {0, 1e-6, 3e-6});
   set_volume(data, "von_mises", std::vector<double>(static_cast<std::size_t>(3 * shape.cells()), 1e6),
              {"Pa", "von Mises stress"});

@@ -25,7 +25,7 @@ class Arrays(support.TestCase):
                   HEIGHTS.astype("f4"), HEIGHTS.astype("f2"), HEIGHTS.tolist(), numpy.arange(12).reshape(3, 4),
                   numpy.arange(12, dtype="u2").reshape(3, 4)]
         for array in arrays:
-            drawn = asp.dataset(array, size="1mm").heights.values
+            drawn = asp.dataset(array, size="1km").heights.values
             numpy.testing.assert_array_equal(drawn, numpy.asarray(array, "f8"))
 
     def test_masked_points_and_nan_are_missing_there_and_back(self):

@@ -160,12 +160,15 @@ TEST_CASE("what rounding leaves above a form is not presented as a surface", "[s
               cap = sample(square, [](double x, double y) { return (x * x + y * y) / 0.02; });
   for (const auto& [z, form] : {std::pair{plane, "plane"}, {cap, "2"}, {plane, "3"}}) {
     write_dataset(surface(square, z), "form.nc");
-    for (const char* tool : {"asperity-stats", "asperity-acf --result lengths", "asperity-pdf"}) {
+    for (const char* tool : {"asperity-acf --result lengths", "asperity-pdf"}) {
       const Outcome run = shell(std::string(tool) + " form.nc --remove-form " + form);
       CAPTURE(tool, form, run.error);
       CHECK((run.exit == 4 && run.out.empty()));
       CHECK_THAT(run.error, ContainsSubstring("zero to round-off"));
     }
+    const Outcome flat = shell(std::string("asperity-stats form.nc --remove-form ") + form);
+    CHECK((flat.exit == 0 && flat.out.find("\nSq\t0\t") != flat.out.npos));
+    CHECK_THAT(flat.error, ContainsSubstring("zero to round-off"));
     CHECK(shell("asperity-stats form.nc").exit == 0);
   }
 }

@@ -88,7 +88,7 @@ TEST_CASE("with --each the dataset of each surface is written, as it is for one"
           "[contact][several][contract]") {
   draw();
   const std::string load = press + "--load 60N --limit-pressure 3GPa --add heights_residual ";
-  require("ls c_0.nc c_1.nc c_2.nc | " + load + "--each each_%d.nc -o rows.tsv");
+  require("ls c_0.nc c_1.nc c_2.nc | " + load + "--files-from - --each each_%d.nc -o rows.tsv");
   for (const int k : {0, 1, 2}) {
     require(load + "c_" + std::to_string(k) + ".nc -o one.nc");
     const Dataset one = read_dataset("one.nc"), each = read_dataset("each_" + std::to_string(k + 1) + ".nc");

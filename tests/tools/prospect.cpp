@@ -114,7 +114,7 @@ TEST_CASE("a correlation that ends within a sample is warned of as white noise",
   CHECK_THAT(warned("asperity-kernel -q --length 4px,0.4px -o k.nc"),
              ContainsSubstring("below a sample along y:"));
   CHECK(warned(square + "--length 0.6px").empty());
-  CHECK(warned("asperity-generate --shape 64x1 --size 64um,1mm --rq 1um --length 4um -o s.nc").empty());
+  CHECK(warned("asperity-generate --shape 64x1 --size 64um,1mm --rq 0.1um --length 4um -o s.nc").empty());
 }
 
 TEST_CASE("a wave of less than two samples along an axis is refused, for it would look like a longer one",

@@ -9,7 +9,6 @@
 #include "core/words.hpp"
 #include "formats/format.hpp"
 #include "formats/head.hpp"
-#include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/cli/record.hpp"
@@ -73,8 +72,8 @@ void check_wsxm(const Map& map, std::string_view bytes) {
                  taken =
                      map.spacing[x ? 0 : 1] * static_cast<double>(x ? map.values.rows() : map.values.cols());
     if (!(std::abs(taken - size) <= 1e-3 * size))
-      refuse("Gwyddion takes {} {} for {} m: give asperity-convert its `size`", key, quoted(head.text(key)),
-             taken);
+      throw DataError("map", fmt::format("Gwyddion takes {} '{}' for {} m: give asperity-convert its `size`",
+                                         key, one_line(head.text(key), 24), taken));
   }
 }
 

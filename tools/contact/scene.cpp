@@ -20,7 +20,6 @@ using namespace std::string_literals;
 namespace asperity::cli {
 namespace {
 
-// The words of --boundary.
 Periodic periodic_of(std::string_view boundary) {
   const bool both = boundary == "periodic";
   return {both || boundary == "periodic_x", both || boundary == "periodic_y"};
@@ -81,8 +80,7 @@ Field counter_heights(const Tool& tool, const std::string& name, const Grid& gri
                       Extent rows) {
   tool.reads(name);  // nothing of it is passed on
   const Dataset data = tool.read(name, held);
-  const Grid own = grid_of(data);
-  if (!same_grid(own, grid))
+  if (const Grid own = grid_of(data); !same_grid(own, grid))
     throw DataError("counter", fmt::format("its grid, {}, differs from that of the first body, {}",
                                            described(own), described(grid)));
   return with_doubts(tool, field_of(data, "heights", "m", rows), grid);
