@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-constexpr int most_steps = 100;
+constexpr int most_fits = 100;
 constexpr int parameters = 5;  // c, turns about a and b, κ; of a cylinder a turn about n
 using Gradient = Eigen::Matrix<double, parameters, 1>;
 using Gram = Eigen::Matrix<double, parameters, parameters>;
@@ -182,7 +182,7 @@ Fit fit(CurvedShape shape, const Points& points) {
   Fit out{start(shape, points), {}, 0};
   out.sums = reach_all_points(out.quadric, points);
   double damping = 1e-4;
-  while (++out.steps <= most_steps) {
+  while (++out.steps <= most_fits) {
     const Gradient step = solved(out.sums, damping, count);
     const double predicted = step.dot(out.sums.right), squares = out.sums.squares;
     const Quadric next = out.quadric.moved(step);
@@ -197,7 +197,7 @@ Fit fit(CurvedShape shape, const Points& points) {
     if (predicted <= 1e-14 * squares || step.norm() <= 1e-14 || damping > 1e6) return out;
   }
   refuse(shape,
-         "no least squares within " + std::to_string(most_steps) + " steps: the points do not determine it");
+         "no least squares within " + std::to_string(most_fits) + " steps: the points do not determine it");
 }
 
 // The variance of κ if residuals were independent with variance 1. The turn about n, which κ = 0 leaves open,

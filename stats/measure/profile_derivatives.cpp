@@ -129,7 +129,7 @@ Profile profile_of(const Sample& sample, bool along_x) {
   return out;
 }
 
-constexpr Definition<Profile> moment_table[] = {
+constexpr Definition<Profile> derivative_table[] = {
     {"m2_{}", "1", "mean square slope {}", [](const Profile& p) { return p(m2, p.slopes); }},
     {"m4_{}", "m-2", "mean square second derivative {}",
      [](const Profile& p) { return p(m4, p.curvatures); }},
@@ -156,7 +156,7 @@ Parameters profile_derivatives(const Sample& sample, const Estimate& m0) {
   const Profile profile = profile_of(sample, along_x);
   ParameterList out(sample.surface().units);
   out.add("m0", "m2", "spectral moment of order 0, Sq squared", m0);
-  out.add(moment_table, profile, {axis, "along " + axis, "no value: too few neighbours are measured"});
+  out.add(derivative_table, profile, {axis, "along " + axis, "no value: too few neighbours are measured"});
   out.add(peak_table, profile, {.why = "no value: the profile has no peak"});
   return std::move(out).with_known_errors(sample.size());
 }

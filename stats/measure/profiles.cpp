@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 struct Definition1D {
   const char* symbol;
@@ -49,7 +49,7 @@ Estimate spread_of(const SequenceMean& of) {
   return {of.spread, of.spread_error, Interval::of_inverse(of.spread, width)};
 }
 
-std::string why_no_error(const SequenceMean& of) {
+std::string why_no_profile_error(const SequenceMean& of) {
   if (of.independent >= SequenceMean::least_independent)
     return "no standard error: it is the same in all profiles";
   const std::string count = rounded(of.independent);
@@ -66,7 +66,7 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
   if ((axis == "x" ? sample.grid().shape.nx : sample.grid().shape.ny) < 2)
     throw DataError(sample.surface().variable,
                     "a profile along " + axis + " needs two points, but there is only one");
-  const ProfileAverages averages = sample.profiles(options.profiles, std::isnan(cutoff) ? unlimited : cutoff);
+  const ProfileAverages averages = sample.profiles(options.profiles, std::isnan(cutoff) ? no_limit : cutoff);
   ParameterList out(sample.surface().units);
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto i = static_cast<Index>(k);
@@ -79,13 +79,13 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
       of.spread *= 0;
     }
     const std::string why = "no value: no profile has this parameter";
-    std::string no_error = why_no_error(of);
+    std::string no_error = why_no_profile_error(of);
     const double step = sample.surface().step, spacing = axis == "x" ? sample.grid().dx : sample.grid().dy;
     // Of heights rounded to steps s, (2) of stats/profile/profile.hpp squared is larger by 0.098 s²/Δ².
     if (const std::string steps = steps_in_slopes(step, 0.098 * std::pow(step / spacing / of.mean, 2));
         i == profile_dq && !steps.empty())
       of.mean_error = of.spread_error = unknown, no_error = "no standard error: " + steps;
-    const double least = i == profile_sk ? -unlimited : i == profile_ku ? 1 : 0;
+    const double least = i == profile_sk ? -no_limit : i == profile_ku ? 1 : 0;
     out.add(symbol, unit, meaning, with_error(of.mean, of.mean_error, static_cast<double>(of.degrees), least),
             {.why = why, .why_no_error = no_error});
     out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", spread_of(of),

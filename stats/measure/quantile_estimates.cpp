@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 // Of heights that the form has lowered by the factor `left`.
 Interval freed(double height, double left, double low, double high) {
@@ -99,8 +99,8 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
     // Open where the field holds no such share.
     const double low = heights[k] - shift - half(heights[k] - ends[2 * k]),
                  high = heights[k] - shift + half(ends[2 * k + 1] - heights[k]);
-    out[k].interval = Interval::of(heights[k], shares[k] > width[k] ? std::min(heights[k], low) : -unlimited,
-                                   1 - shares[k] > width[k] ? std::max(heights[k], high) : unlimited);
+    out[k].interval = Interval::of(heights[k], shares[k] > width[k] ? std::min(heights[k], low) : -no_bound,
+                                   1 - shares[k] > width[k] ? std::max(heights[k], high) : no_bound);
   }
   return out;
 }

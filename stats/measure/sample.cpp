@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-SurfaceSums summed(const Surface& surface, ErrorBasis basis, bool derivatives, int threads) {
+SurfaceSums sums_of(const Surface& surface, ErrorBasis basis, bool derivatives, int threads) {
   DerivativeSums sums;
   if (derivatives) {
     const Strip whole = Strip::whole(surface.heights, surface.grid);
@@ -28,13 +28,13 @@ SurfaceSums summed(const Surface& surface, ErrorBasis basis, bool derivatives, i
 
 Sample::Sample(Surface surface, bool derivatives, int threads)
     : surface_(std::move(surface)),
-      sums_(summed(surface_, error_basis(surface_, threads), derivatives, threads)),
+      sums_(sums_of(surface_, error_basis(surface_, threads), derivatives, threads)),
       size_(basis().size()),
       threads_(threads) {}
 
 Sample::Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size, bool derivatives)
     : surface_(std::move(surface)),
-      sums_(summed(surface_, std::move(basis), derivatives, 1)),
+      sums_(sums_of(surface_, std::move(basis), derivatives, 1)),
       size_(size),
       threads_(1),
       errors_(false) {}

@@ -18,7 +18,7 @@ double power(double f, DataWindow window) {
 }
 
 // (1), by the midpoint rule: W is smooth within a wave number, and no node is a whole number.
-double spread(Index n, DataWindow window) {
+double smoothing(Index n, DataWindow window) {
   constexpr int nodes = 16;
   double sum = 0;
   for (int i = 0; i < nodes; ++i) sum += power(static_cast<double>(n) - 0.5 + (i + 0.5) / nodes, window);
@@ -32,7 +32,7 @@ class Densities {
     if (first_ == 1) density_.push_back(0);
     for (const SpectrumPoint& p : points) density_.push_back(p.density);
     reach_ = spectrum.window == DataWindow::hann ? std::min(2 * count(), hann_reach) : 2 * count();
-    for (Index n = 0; n <= reach_; ++n) kappa_.push_back(spread(n, spectrum.window));
+    for (Index n = 0; n <= reach_; ++n) kappa_.push_back(smoothing(n, spectrum.window));
   }
 
   Index first() const { return first_; }

@@ -11,7 +11,7 @@ namespace {
 
 using LagNumbers = Eigen::Array<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double round_off = 1e-12;  // that r of a field without a window holds
+constexpr double negligible = 1e-12;  // that r of a field without a window holds
 
 // Distances up to `reach` along an axis of n points, each wave number once.
 std::vector<Index> distances(Index n) {
@@ -50,7 +50,7 @@ SharedPower::SharedPower(const Field& d, const Eigen::ArrayXd& squares_x, const 
   const Eigen::MatrixXcd all = sums(d, waves(squares_x, along_x), waves(squares_y, along_y));
   for (Index a = 0; a < all.rows(); ++a)
     for (Index b = 0; b < all.cols(); ++b)
-      if (const double r = std::norm(all(a, b)) / std::norm(all(0, 0)); r > round_off)
+      if (const double r = std::norm(all(a, b)) / std::norm(all(0, 0)); r > negligible)
         neighbours_.push_back(
             {along_x[static_cast<std::size_t>(a)], along_y[static_cast<std::size_t>(b)], r});
 }

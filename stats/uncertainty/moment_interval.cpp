@@ -28,7 +28,7 @@ Interval about_unbiased(double estimate, double lost, double half_width) {
   return Interval::of(estimate, estimate + lost - half_width, estimate + lost + half_width);
 }
 
-double tail_of(double level) {
+double outside(double level) {
   if (!(level > 0 && level < 1))
     throw ParameterError("confidence", "'" + shortest(level) + "' is not a number between 0 and 1");
   return (1 - level) / 2;
@@ -88,7 +88,7 @@ MomentIntervals intervals_of_scale(const Moments& moments, const MomentErrors& e
 }  // namespace
 
 MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSampleSize& size, double level) {
-  const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
+  const double tail = outside(level), u = gsl_cdf_ugaussian_Qinv(tail);
   MomentIntervals out = intervals_of_scale(moments, standard_errors(moments, size), size, tail);
   out.ssk = Interval::about(moments.ssk, u * skewness_error(size));
   out.sku = about_unbiased(moments.sku, 6 / size.effective(2), u * kurtosis_error(size));
@@ -97,7 +97,7 @@ MomentIntervals confidence_intervals(const Moments& moments, const EffectiveSamp
 
 MomentIntervals confidence_intervals(const Moments& moments, const TranslationErrors& errors,
                                      const EffectiveSampleSize& size, double level) {
-  const double tail = tail_of(level), u = gsl_cdf_ugaussian_Qinv(tail);
+  const double tail = outside(level), u = gsl_cdf_ugaussian_Qinv(tail);
   const MomentErrors error = errors.standard_errors(moments.sq);
   MomentIntervals out = intervals_of_scale(moments, error, size, tail);
   out.ssk = about_unbiased(moments.ssk, -errors.ssk_bias(), u * error.ssk);
