@@ -187,7 +187,7 @@ TEST_CASE("the farther a figure lies to one side, the less its p-value, however 
     const Field z =
         Field::NullaryExpr(
             48, 48, [a](Index i, Index j) { return (i % 2 == 0 ? 1.0 : -1.0) * (j % 2 == 0 ? 1.0 : a); }) +
-        1e-7 * random_field({48, 48}, 1);  // on no steps
+        1e-4 * random_field({48, 48}, 1);  // on no steps
     SpecificationTest test = fresh;
     test.add(z, square);
     const TestResult sku = test.results()[2];
