@@ -67,7 +67,8 @@ Map applied(const cli::Tool& tool, const Options& options, Map map) {
   Map out = options.map.applied(std::move(map));
   const auto [dx, dy] = out.spacing;
   if (dx > 0 && dy > 0)
-    cli::warn_of_proportions(tool, Proportions(out.values, {shape_of(out.values), dx, dy}), out.units);
+    cli::warn_of_proportions(tool, Proportions(out.values, {shape_of(out.values), dx, dy}),
+                             out.units.empty() ? "m" : out.units);
   return out;
 }
 
