@@ -28,12 +28,15 @@ class Proportions {
   double sq() const;
   double rms_slope() const;    ///< along an axis of one point 0
   double plane_share() const;  ///< R²; 0 where all is level
-  double longer_side() const { return std::max(grid_.size_x(), grid_.size_y()); }
+  /// Of the axes along which there are points.
+  double longer_side() const {
+    const auto [nx, ny] = grid_.shape;
+    return nx == 1 ? grid_.size_y() : ny == 1 ? grid_.size_x() : std::max(grid_.size_x(), grid_.size_y());
+  }
 
   /// Not of heights whose squares are beyond a double.
-  bool implausible() const {
-    return (sq() > 0.1 * longer_side() || rms_slope() > 1) && std::isfinite(rms_slope());
-  }
+  bool implausible() const { return (too_high() || rms_slope() > 1) && std::isfinite(rms_slope()); }
+  bool too_high() const { return sq() > 0.1 * longer_side(); }
   /// A plane makes up nine tenths and more of 16 heights and more.
   bool tilted() const { return count_ >= 16 && plane_share() > 0.9; }
 

@@ -100,7 +100,7 @@ TEST_CASE("a pattern, a list of files and names are one ensemble, a single file 
   for (const auto& [line, words] :
        {std::pair{"asperity-stats 'absent_*.nc'", "INPUT: no file matches"},
         {"echo | asperity-stats --files-from -", "--files-from: '-' lists no file"},
-        {"echo - | asperity-stats --files-from -", "--files-from: '-' is not a list of files"},
+        {"echo - | asperity-stats --files-from -", "--files-from: '-' lists '-', but"},
         {"asperity-stats --files-from g_0.nc", "--files-from: 'g_0.nc' is not a list of files"},
         {"asperity-stats --files-from list g_0.nc", "INPUT cannot be combined with --files-from"},
         {"cat list g_0.nc | asperity-stats --files-from /dev/stdin", "is not a list of files"},

@@ -74,8 +74,10 @@ Names listed(const Tool& tool, const std::string& list) {
   while (!rest.empty())
     if (const std::string_view name = take_line(rest); !name.empty()) out.emplace_back(name);
   if (out.empty()) refuse("files-from", list, "lists no file: write one name per line");
-  if (!is_text(bytes) || std::ranges::find(out, "-") != out.end())
+  if (!is_text(bytes))
     refuse("files-from", list, "is not a list of files, one name per line: name a dataset itself as INPUT");
+  if (std::ranges::find(out, "-") != out.end())
+    refuse("files-from", list, "lists '-', but standard input has no name: list files, or give - as INPUT");
   return out;
 }
 

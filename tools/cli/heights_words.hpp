@@ -14,11 +14,12 @@ namespace asperity::cli {
 inline void warn_of_proportions(const Tool& tool, const Proportions& of, std::string_view unit = "m") {
   if (unit != "m" || !of.implausible()) return;
   const auto metres = [](double length) { return format_quantity(std::stod(number(length)), "m"); };
-  tool.note(
-      fmt::format("warning: Sq = {} on a surface {} long, with an rms slope of {}: rough surfaces are lower, "
-                  "below a tenth "
-                  "of their length, and less steep, below 1; check the units of heights and lengths",
-                  metres(of.sq()), metres(of.longer_side()), number(of.rms_slope())));
+  const std::string what =
+      of.too_high()
+          ? fmt::format("Sq = {} on a surface {} long: rough surfaces are lower than a tenth of that",
+                        metres(of.sq()), metres(of.longer_side()))
+          : fmt::format("the rms slope is {}: rough surfaces are less steep than 1", number(of.rms_slope()));
+  tool.note("warning: " + what + "; check the units of heights and lengths");
 }
 
 /// And before any advice to measure more, where most of the heights is a tilt; `how` takes it off.

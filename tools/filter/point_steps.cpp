@@ -149,7 +149,8 @@ std::vector<StepKind> point_steps() {
       {"median", "WIDTH", "Put the median of a window in place of each height; 5px, 10um", group, median},
       {"outliers", "K[,WIDTH]",
        "Make points missing that stand out from all sides by more than K standard deviations of the surface "
-       "there, alone or up to WIDTH wide; 5, 5,3px, 5,2um. Default WIDTH: 3px",
+       "there, alone or up to WIDTH wide; 5, 5,3px, 5,2um. Default WIDTH: 3px. The map's corners, which have "
+       "no two sides, are not judged",
        points, outliers},
       {"fill", "laplace|mean|least",
        "Fill missing points; laplace: with a membrane over each hole (Laplace's equation), mean: with the "

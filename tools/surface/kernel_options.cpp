@@ -90,8 +90,9 @@ void KernelOptions::declare_target(Tool& tool) {
                group);
   tool.text(
       "--cutoff", cutoff, "LENGTH",
-      "Shortest wavelength of a --periodic surface: 16px or 15um; px counts samples of x. The "
-      "autocorrelation is that of the model's spectrum without shorter waves, and --rq that of the rest",
+      "Shortest wavelength of a --periodic surface: 16px or 15um; px counts samples of x. A profile has "
+      "none: draw a surface and take a row. The autocorrelation is that of the model's spectrum without "
+      "shorter waves, and --rq that of the rest",
       group);
   tool.text("--wavelength", wavelength, "LENGTH",
             "Wavelength of exponential-cosine along its first axis: 12px or 0.1mm", group);
