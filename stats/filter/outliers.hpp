@@ -17,8 +17,9 @@
 /// Scope     s_d is at least 1/√12 of a step of the heights, for steps are no deviations. A side is there if
 ///           two of its points are; a point without both sides in any direction, as in corners, is not
 ///           judged. A profile has one direction.
-/// Accuracy  A Gaussian surface loses some 2 (1 - Φ(K)), 6e-7 for K = 5, one of skewness -1.5 up to 2e-3.
-///           Of spikes of 8 and more rms heights, up to 3 × 3 points, 99.6 % are found.
+/// Accuracy  A Gaussian surface loses some 2 (1 - Φ(K)), 6e-7 for K = 5, white heights of skewness
+///           -1.5 lost 2.4e-3, correlated ones 8e-5. Of spikes of 8 and more rms heights, up to 3 × 3 points
+///           on seven surfaces, periodic or not, with and without holes, at least 98 % were found.
 /// Missing   Points that are missing do not count, and stay missing.
 /// Cost      of a pass 24 medians of three a point and eight of the map; two passes for each w, one more for
 ///           each round that finds something, and a last one: 1024² points, w = 1 and 3, take 0.6 s.
