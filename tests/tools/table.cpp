@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support.hpp"
-#include "tools/cli/aligned.hpp"
+#include "tools/cli/table.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
 

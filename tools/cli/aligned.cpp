@@ -1,36 +1,95 @@
-#include "tools/cli/aligned.hpp"
-
+// Tables for people: columns of text.
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "tools/cli/layout.hpp"
+#include "tools/cli/quantity.hpp"
 #include "tools/cli/readable.hpp"
+#include "tools/cli/table.hpp"
 
 namespace asperity::cli {
 namespace {
 
-constexpr std::size_t least_meaning = 20, meaning_indent = 4;
+// ---- columns of text ----
+
+using Words = std::vector<std::string>;
+
+constexpr std::string_view gap = "  ";  // between columns
+
+// Characters on a terminal: a µ is one, and two bytes.
+std::size_t width_of(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::size_t widest(const Words& texts) {
+  std::size_t out = 0;
+  for (const std::string& text : texts) out = std::max(out, width_of(text));
+  return out;
+}
+
+std::string on_the_left(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, width_of(text)), ' ');
+}
+
+std::string on_the_right(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, width_of(text)), ' ') + text;
+}
+
+// Broken at blanks into lines of `width`; a longer word has a line of its own.
+Words wrapped(const std::string& text, std::size_t width) {
+  Words lines(1);
+  for (const std::string& word : split(text, ' '))
+    if (lines.back().empty())
+      lines.back() = word;
+    else if (width_of(lines.back()) + 1 + width_of(word) <= width)
+      lines.back() += " " + word;
+    else
+      lines.push_back(word);
+  return lines;
+}
+
+// With an end of line, and an ellipsis where it is too long.
+std::string line_of(std::string text, std::size_t width) {
+  text.resize(text.find_last_not_of(' ') + 1);
+  return (width_of(text) > width ? one_line(text, width) : text) + "\n";
+}
+
+// A heading and the texts below it.
+struct Shown {
+  Words lines;
+  bool right = false;  // numbers stand on the right
+  std::size_t width;
+
+  Shown(const std::string& heading, Words texts, bool right_ = false)
+      : lines(std::move(texts)), right(right_) {
+    lines.insert(lines.begin(), heading);
+    width = widest(lines);
+  }
+  std::string at(std::size_t line) const {
+    return right ? on_the_right(lines[line], width) : on_the_left(lines[line], width);
+  }
+};
+
+std::size_t total(const std::vector<Shown>& columns) {
+  std::size_t out = 0;
+  for (const Shown& column : columns) out += (out ? gap.size() : 0) + column.width;
+  return out;
+}
+
+// Line 0 is the headings.
+std::string row_of(const std::vector<Shown>& columns, std::size_t line) {
+  return fmt::format(
+      "{}", fmt::join(columns | std::views::transform([&](const Shown& c) { return c.at(line); }), gap));
+}
+
+// ---- tables for people ----
+
 constexpr double largest_count = 1e15;  // that is shown whole
 constexpr int least_place = -4;         // of a first digit that follows zeros
-
-// As it can be copied and read back: an ASCII minus, e-3 for a power of ten.
-std::string plain(std::string text) {
-  for (const auto& [from, to] :
-       {std::pair<std::string_view, const char*>{"−", "-"}, {"–", "-"}, {"∞", "inf"}})
-    if (const std::size_t at = text.find(from); at != text.npos) text.replace(at, from.size(), to);
-  return text;
-}
-
-std::string number_in(const Scale& scale, double value) {
-  const std::string text = plain(scale.text(value));
-  const bool bare = scale.exponent == 0 || !std::isfinite(value) || value == 0;
-  return bare ? text : fmt::format("{}e{}", text, scale.exponent);
-}
-
-// ---- the columns of a general table ----
 
 // Numbers of a column in its unit: counts whole, otherwise at most six significant digits, and decimals alike
 // where that leaves each at least four.
@@ -65,15 +124,77 @@ class Digits {
   int places_ = -1;
 };
 
+bool holds_words(const Table& table, std::size_t column) {
+  return std::ranges::any_of(
+      table.rows, [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
+}
+
 double modulus_of(const Cell& cell) {
   const auto* number = std::get_if<double>(&cell);
   return number && std::isfinite(*number) ? std::abs(*number) : 0;
 }
 
-double largest_in(const Table& table, std::size_t column) {
-  double out = 0;
-  for (const auto& row : table.rows) out = std::max(out, modulus_of(row[column]));
+std::size_t place_of(const Table& table, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(table.columns, name, &Column::name) -
+                                  table.columns.begin());
+}
+
+// Of each row with a unit of its own, for its columns in "SI".
+std::vector<Scale> scales_of_rows(const Table& table) {
+  const std::size_t units = place_of(table, "unit"), errors = place_of(table, "standard_error");
+  std::vector<Scale> out;
+  if (units == table.columns.size()) return out;
+  for (const auto& row : table.rows) {
+    double largest = 0;
+    for (std::size_t c = 0; c < row.size(); ++c)
+      if (table.columns[c].unit == "SI") largest = std::max(largest, modulus_of(row[c]));
+    const double error = errors < row.size() ? std::get<double>(row[errors]) : NAN;
+    out.push_back(scale_for(largest, error, std::get<std::string>(row[units])));
+  }
   return out;
+}
+
+// The value whose error rounds this column: itself, or the one of this error or interval.
+std::optional<std::size_t> value_with_error(const std::vector<Column>& columns, std::size_t c) {
+  const auto is_error = [&](std::size_t error) {
+    const Column &of = columns[error - 1], &own = columns[error];
+    return own.unit == of.unit && (own.name == "standard_error" || own.name == of.name + "_error");
+  };
+  if (c + 1 < columns.size() && is_error(c + 1)) return c;
+  while (c > 0 && (columns[c].name == "low_95" || columns[c].name == "high_95")) --c;
+  return c > 0 && is_error(c) ? std::optional(c - 1) : std::nullopt;
+}
+
+Shown words_in(const Table& table, std::size_t column, const std::vector<Scale>& rows) {
+  const bool units = table.columns[column].name == "unit";
+  Words texts;
+  for (std::size_t r = 0; r < table.rows.size(); ++r)
+    texts.push_back(units ? one_line(rows[r].unit.name) : text_of(table.rows[r][column]));
+  return {one_line(table.columns[column].name), std::move(texts)};
+}
+
+Shown numbers_in_rows(const Table& table, std::size_t column, const std::vector<Scale>& rows) {
+  Words texts;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    texts.push_back(rows[r].plain(std::get<double>(table.rows[r][column])));
+  return {one_line(table.columns[column].name), std::move(texts), true};
+}
+
+Shown numbers_in(const Table& table, std::size_t column, const Unit& unit) {
+  const auto number = [&](std::size_t r, std::size_t c) { return std::get<double>(table.rows[r][c]); };
+  std::vector<double> numbers;
+  for (std::size_t r = 0; r < table.rows.size(); ++r) numbers.push_back(number(r, column) / unit.factor);
+  const Digits digits(numbers);
+  const std::optional<std::size_t> value = value_with_error(table.columns, column);
+  Words texts;
+  for (std::size_t r = 0; r < numbers.size(); ++r) {
+    texts.push_back((table.is_bound(r, column) ? "< " : "") + digits.text(numbers[r]));
+    const double x = number(r, column);
+    if (!value || std::isnan(x) || x == std::round(x)) continue;
+    const Scale scale = scale_for(number(r, *value), number(r, *value + 1), unit);
+    if (scale.places && std::isfinite(number(r, *value))) texts.back() = scale.plain(x);
+  }
+  return {one_line(unit.label(table.columns[column].name)), std::move(texts), true};
 }
 
 // The end of the run of neighbours with the unit of this column.
@@ -83,98 +204,23 @@ std::size_t run_end(const std::vector<Column>& columns, std::size_t begin) {
   return end;
 }
 
-bool holds_words(const Table& table, std::size_t column) {
-  return std::ranges::any_of(
-      table.rows, [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
-}
-
-Shown words_in(const Table& table, std::size_t column) {
-  Shown out{one_line(table.columns[column].name), {}, Side::left};
-  const bool units = table.columns[column].name == "unit";
-  for (const auto& row : table.rows) {
-    const auto* words = std::get_if<std::string>(&row[column]);
-    const std::string text = words ? one_line(*words) : shortest(std::get<double>(row[column]));
-    out.texts.push_back(units && text == "1" ? "" : text);
-  }
-  return out;
-}
-
-Shown numbers_in(const Table& table, std::size_t column, const Unit& unit) {
-  std::vector<double> numbers;
-  for (const auto& row : table.rows) numbers.push_back(std::get<double>(row[column]) / unit.factor);
-  const Digits digits(numbers);
-  Shown out{one_line(unit.label(table.columns[column].name)), {}, Side::right};
-  for (std::size_t r = 0; r < numbers.size(); ++r)
-    out.texts.push_back((table.is_bound(r, column) ? "< " : "") + digits.text(numbers[r]));
-  return out;
-}
-
-// ---- values beside their errors ----
-
-bool is_error_of(const Column& value, const Column& error) {
-  return error.unit == value.unit && (error.name == "standard_error" || error.name == value.name + "_error");
-}
-
-// The value, its error and its interval end at the second digit of the error, where that is known.
-void round_to_error(const Table& table, std::size_t column, const Unit& unit, std::vector<Shown>& shown) {
-  std::size_t end = column + 2;
-  while (end < shown.size() && (table.columns[end].name == "low_95" || table.columns[end].name == "high_95"))
-    ++end;
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    const auto number = [&](std::size_t c) { return std::get<double>(table.rows[r][c]); };
-    const Scale scale = scale_for(number(column), number(column + 1), unit);
-    if (!scale.places || !std::isfinite(number(column))) continue;
-    for (std::size_t c = column; c < end; ++c)
-      if (!std::isnan(number(c)) && number(c) != std::round(number(c)))
-        shown[c].texts[r] = number_in(scale, number(c));
-  }
-}
-
-// ---- rows with units of their own ----
-
-std::size_t place_of(const Table& table, std::string_view name) {
-  return static_cast<std::size_t>(std::ranges::find(table.columns, name, &Column::name) -
-                                  table.columns.begin());
-}
-
-// Of the columns in "SI" and the units, row by row.
-void scale_rows(const Table& table, std::vector<Shown>& shown) {
-  const std::size_t units = place_of(table, "unit"), errors = place_of(table, "standard_error");
-  if (units == table.columns.size()) return;
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    const auto& row = table.rows[r];
-    double largest = 0;
-    for (std::size_t c = 0; c < row.size(); ++c)
-      if (table.columns[c].unit == "SI") largest = std::max(largest, modulus_of(row[c]));
-    const double error = errors < row.size() ? std::get<double>(row[errors]) : NAN;
-    const Scale scale = scale_for(largest, error, std::get<std::string>(row[units]));
-    shown[units].texts[r] = one_line(scale.unit.name);
-    for (std::size_t c = 0; c < row.size(); ++c)
-      if (table.columns[c].unit == "SI") shown[c].texts[r] = number_in(scale, std::get<double>(row[c]));
-  }
-}
-
 std::vector<Shown> columns_in(const Table& table) {
+  const std::vector<Scale> rows = scales_of_rows(table);
   std::vector<Shown> out;
-  for (std::size_t begin = 0; begin < table.columns.size();) {
-    const std::size_t end = run_end(table.columns, begin);
+  for (std::size_t end = 0; out.size() < table.columns.size();) {
+    const std::size_t begin = std::exchange(end, run_end(table.columns, end));
+    const bool in_si = table.columns[begin].unit == "SI";
     double largest = 0;
-    for (std::size_t c = begin; c < end; ++c) largest = std::max(largest, largest_in(table, c));
-    const std::string& si = table.columns[begin].unit;
-    const Unit unit = si == "SI" ? Unit{} : unit_for(largest, si);
+    for (const auto& row : table.rows)
+      for (std::size_t c = begin; c < end; ++c) largest = std::max(largest, modulus_of(row[c]));
+    const Unit unit = in_si ? Unit{} : unit_for(largest, table.columns[begin].unit);
     for (std::size_t c = begin; c < end; ++c)
-      out.push_back(holds_words(table, c) ? words_in(table, c) : numbers_in(table, c, unit));
-    for (std::size_t c = begin; c + 1 < end; ++c)
-      if (si != "SI" && !holds_words(table, c) && is_error_of(table.columns[c], table.columns[c + 1]))
-        round_to_error(table, c, unit, out);
-    begin = end;
+      out.push_back(holds_words(table, c)    ? words_in(table, c, rows)
+                    : in_si && !rows.empty() ? numbers_in_rows(table, c, rows)
+                                             : numbers_in(table, c, unit));
   }
-  scale_rows(table, out);
-  for (Shown& column : out) column.measure();
   return out;
 }
-
-// ---- layout ----
 
 // The leading columns that tell one row from another: words, and the numbers up to another unit.
 std::size_t keys_of(const Table& table) {
@@ -184,91 +230,88 @@ std::size_t keys_of(const Table& table) {
   return run_end(table.columns, words);
 }
 
-// ---- parameters ----
-
-// "value ± error" and the 95 % interval, each with its parts one below the other.
-struct Readings {
-  Words values, errors, lows, highs, intervals, units, names;
-
-  void add(const Parameter& row) {
-    const Measurement m = readable(row);
-    const Interval ends = row.interval_95();
-    names.push_back(one_line(row.name));
-    values.push_back((row.is_bound ? "< " : "") + number_in(m.scale, row.value));
-    units.push_back(one_line(m.scale.unit.name));
-    const bool known = !m.error.empty(), below = known && std::isfinite(ends.low),
-               above = known && std::isfinite(ends.high);
-    errors.push_back(known ? number_in(m.scale, row.standard_error) : "");
-    lows.push_back(below ? number_in(m.scale, ends.low) : "");
-    highs.push_back(above ? number_in(m.scale, ends.high) : "");
-  }
-  Shown value_column() const {
-    const bool any = widest(errors) > 0;
-    const std::size_t width = std::max(widest(values), width_of("value"));
-    Shown out{padded("value", width, Side::right) + (any ? " ± error" : ""), {}, Side::left};
-    for (std::size_t r = 0; r < values.size(); ++r)
-      out.texts.push_back(padded(values[r], width, Side::right) +
-                          (errors[r].empty() ? "" : " ± " + errors[r]));
-    return out;
-  }
-  Shown interval_column() const {
-    Shown out{"95 % interval", {}, Side::left};
-    const std::size_t width = widest(lows);
-    for (std::size_t r = 0; r < lows.size(); ++r) {
-      const std::string &low = lows[r], &high = highs[r];
-      out.texts.push_back(low.empty()    ? high.empty() ? "-" : "below " + high
-                          : high.empty() ? "above " + low
-                                         : padded(low, width, Side::right) + " to " + high);
-    }
-    return out;
-  }
-};
-
-std::string meaning_of(const Parameter& row) {
-  const std::string note = row.note();
-  return one_line(note.empty() ? row.meaning : row.meaning + "; " + note);
-}
-
 }  // namespace
 
 std::string aligned(const Table& table, std::size_t width) {
   const std::vector<Shown> all = columns_in(table);
   std::vector<Shown> keys(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(keys_of(table)));
-  if (2 * total(keys) > width) keys.resize(std::min<std::size_t>(keys.size(), 1));
+  if (!keys.empty() && 2 * total(keys) > width) keys.erase(keys.begin() + 1, keys.end());
   std::string out;
   for (std::size_t next = keys.size(); out.empty() || next < all.size();) {
     std::vector<Shown> columns = keys;
     do {
       if (next < all.size()) columns.push_back(all[next++]);
-    } while (next < all.size() && total(columns) + gap_width + all[next].width <= width);
-    out += (out.empty() ? "" : "\n") + block(columns, table.rows.size(), width);
+    } while (next < all.size() && total(columns) + gap.size() + all[next].width <= width);
+    if (!out.empty()) out += "\n";
+    for (std::size_t line = 0; line <= table.rows.size(); ++line)
+      out += line_of(row_of(columns, line), width);
   }
   return out;
 }
 
+// ---- parameters for people ----
+
+namespace {
+
+constexpr std::size_t least_meaning = 20, meaning_indent = 4;
+
+Shown column_of_values(const Words& values, const Words& errors) {
+  const std::size_t width = std::max(widest(values), width_of("value"));
+  Words texts;
+  for (std::size_t r = 0; r < values.size(); ++r)
+    texts.push_back(on_the_right(values[r], width) + (errors[r].empty() ? "" : " ± " + errors[r]));
+  return {on_the_right("value", width) + (widest(errors) > 0 ? " ± error" : ""), std::move(texts)};
+}
+
+Shown column_of_intervals(const Words& lows, const Words& highs) {
+  Words texts;
+  for (std::size_t r = 0; r < lows.size(); ++r) {
+    const std::string &low = lows[r], &high = highs[r];
+    texts.push_back(low.empty()    ? high.empty() ? "-" : "below " + high
+                    : high.empty() ? "above " + low
+                                   : on_the_right(low, widest(lows)) + " to " + high);
+  }
+  return {"95 % interval", std::move(texts)};
+}
+
+// All but the meaning; without the intervals where these are unknown or have no room.
+std::vector<Shown> columns_in(const Parameters& parameters, std::size_t width) {
+  Words names, values, errors, lows, highs, units;
+  for (const Parameter& row : parameters) {
+    const Scale scale = scale_for(row.value, row.standard_error, row.unit);
+    const Interval ends = row.interval_95();
+    const auto shown = [&](double x, bool known) { return scale.places && known ? scale.plain(x) : ""; };
+    names.push_back(one_line(row.name));
+    values.push_back((row.is_bound ? "< " : "") + scale.plain(row.value));
+    errors.push_back(shown(row.standard_error, true));
+    lows.push_back(shown(ends.low, std::isfinite(ends.low)));
+    highs.push_back(shown(ends.high, std::isfinite(ends.high)));
+    units.push_back(one_line(scale.unit.name));
+  }
+  std::vector<Shown> out{{"quantity", names}, column_of_values(values, errors), {"unit", units}};
+  std::vector<Shown> more = out;
+  more.insert(more.begin() + 2, column_of_intervals(lows, highs));
+  const bool known = widest(lows) + widest(highs) > 0;
+  return known && total(more) <= width ? more : out;
+}
+
+}  // namespace
+
 std::string aligned(const Parameters& parameters, std::size_t width) {
-  Readings read;
-  for (const Parameter& row : parameters) read.add(row);
-  std::vector<Shown> columns{{"quantity", read.names}, read.value_column()};
-  if (widest(read.lows) + widest(read.highs) > 0) columns.push_back(read.interval_column());
-  columns.push_back({"unit", read.units});
-  for (Shown& column : columns) column.measure();
-  if (total(columns) > width && columns.size() == 4) columns.erase(columns.begin() + 2);
-  const std::size_t room = width - std::min(width, total(columns) + gap_width);
+  const std::vector<Shown> columns = columns_in(parameters, width);
+  const std::size_t room = width - std::min(width, total(columns) + gap.size());
   const bool beside = room >= least_meaning;
   const std::size_t start = beside ? width - room : meaning_indent, most = width - std::min(width - 1, start);
-  const std::string heads = row_of(columns, 0);
-  std::string out = line_of(beside ? heads + gap + "meaning" : heads, width);
+  const auto line = [&](std::size_t r, const std::string& meaning) {
+    std::string text = row_of(columns, r);
+    return line_of(beside ? text.append(gap).append(meaning) : text, width);
+  };
+  std::string out = line(0, "meaning");
   for (std::size_t r = 0; r < parameters.size(); ++r) {
-    std::string text = row_of(columns, r + 1) + gap;
-    for (const std::string& piece : wrapped(meaning_of(parameters[r]), most)) {
-      if (!beside || text.empty()) {
-        if (!text.empty()) out += line_of(text, width);
-        text = std::string(start, ' ');
-      }
-      if (!piece.empty() || beside) out += line_of(text + piece, width);
-      text.clear();
-    }
+    const Words pieces = wrapped(one_line(meaning_of(parameters[r])), most);
+    out += line(r + 1, pieces.front());
+    for (const std::string& piece : pieces | std::views::drop(beside ? 1 : 0))
+      if (!piece.empty()) out += line_of(std::string(start, ' ') + piece, width);
   }
   return out;
 }

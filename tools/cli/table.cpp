@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "tools/cli/aligned.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
@@ -18,13 +17,6 @@ namespace asperity::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t widest_table = 1000;  // line of a table on a terminal
-
-std::string cell_text(const Cell& cell) {
-  if (const auto* words = std::get_if<std::string>(&cell)) return one_line(*words);
-  return shortest(std::get<double>(cell));
-}
 
 std::string heading(const Column& column) {
   return one_line(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]");
@@ -37,27 +29,44 @@ Json json_of(const Cell& cell) {
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
 
-[[noreturn]] void refuse(const std::string& name, double number) {
+constexpr std::size_t widest_table = 1000;  // line of a table on a terminal
+
+[[noreturn]] void refuse_result(const std::string& name, double number) {
   throw DataError(name, std::string("the result is ") + (std::isnan(number) ? "not a number" : "infinite") +
                             ": the parameters exceed double precision");
 }
 
-template <class Rows, class Json, class Tsv>
-void put(const Tool& tool, const Rows& rows, const Json& json, const Tsv& tsv) {
+std::string as_json(const Table& table) { return table.json(); }
+std::string as_json(const Parameters& parameters) { return cli::json_of(parameters); }
+std::string as_tsv(const Table& table) { return table.tsv(); }
+std::string as_tsv(const Parameters& parameters) { return table_of(parameters).tsv(); }
+
+template <class Rows>
+void put(const Tool& tool, const Rows& rows) {
+  check_finite(rows);
   check_table_name(tool.output_name(), tool.json());
-  const bool for_people = tool.output_is_terminal() && !tool.json();
-  tool.write_text(tool.json()  ? json()
-                  : for_people ? aligned(rows, columns_of(STDOUT_FILENO, widest_table))
-                               : tsv());
+  tool.write_text(tool.json()                 ? as_json(rows)
+                  : tool.output_is_terminal() ? aligned(rows, columns_of(STDOUT_FILENO, widest_table))
+                                              : as_tsv(rows));
 }
 
 }  // namespace
+
+std::string text_of(const Cell& cell) {
+  if (const auto* words = std::get_if<std::string>(&cell)) return one_line(*words);
+  return shortest(std::get<double>(cell));
+}
+
+std::string meaning_of(const Parameter& row) {
+  const std::string note = row.note();
+  return note.empty() ? row.meaning : row.meaning + "; " + note;
+}
 
 std::string Table::tsv() const {
   std::string out = fmt::format("# {}\n", fmt::join(columns | std::views::transform(heading), "\t"));
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (std::size_t c = 0; c < columns.size(); ++c)
-      out += (is_bound(r, c) ? "<" : "") + cell_text(rows[r][c]) + (c + 1 < columns.size() ? "\t" : "\n");
+      out += (is_bound(r, c) ? "<" : "") + text_of(rows[r][c]) + (c + 1 < columns.size() ? "\t" : "\n");
   return out;
 }
 
@@ -86,9 +95,8 @@ Table table_of(const Parameters& parameters) {
   for (const Parameter& row : parameters) {
     const Interval ends = row.interval_95();
     const double error = std::isfinite(row.standard_error) ? row.standard_error : NAN;
-    const std::string note = row.note(), meaning = note.empty() ? row.meaning : row.meaning + "; " + note;
     if (row.is_bound) out.bounds.insert({out.rows.size(), 1});
-    out.rows.push_back({row.name, row.value, error, ends.low, ends.high, row.unit, meaning});
+    out.rows.push_back({row.name, row.value, error, ends.low, ends.high, row.unit, meaning_of(row)});
   }
   return out;
 }
@@ -110,7 +118,7 @@ std::string json_of(const Parameters& parameters) {
 
 void check_finite(const Parameters& parameters) {
   for (const Parameter& row : parameters)
-    if (std::isinf(row.value)) refuse(row.name, row.value);
+    if (std::isinf(row.value)) refuse_result(row.name, row.value);
 }
 
 void check_finite(const Table& table) {
@@ -119,20 +127,11 @@ void check_finite(const Table& table) {
       const auto* number = std::get_if<double>(&row[c]);
       const Holds holds = table.columns[c].holds;
       if (number == nullptr || std::isfinite(*number) || holds == Holds::open) continue;
-      if (std::isinf(*number) || holds == Holds::known) refuse(table.columns[c].name, *number);
+      if (std::isinf(*number) || holds == Holds::known) refuse_result(table.columns[c].name, *number);
     }
 }
 
-void print(const Tool& tool, const Table& table) {
-  check_finite(table);
-  put(
-      tool, table, [&] { return table.json(); }, [&] { return table.tsv(); });
-}
-
-void print(const Tool& tool, const Parameters& parameters) {
-  check_finite(parameters);
-  put(
-      tool, parameters, [&] { return json_of(parameters); }, [&] { return table_of(parameters).tsv(); });
-}
+void print(const Tool& tool, const Table& table) { put(tool, table); }
+void print(const Tool& tool, const Parameters& parameters) { put(tool, parameters); }
 
 }  // namespace asperity::cli

@@ -1,5 +1,10 @@
-/// Tables on stdout: aligned on a terminal (cli/aligned.hpp), tab-separated with a # header line in a pipe,
-/// or one JSON object.
+/// Tables on stdout: aligned on a terminal, tab-separated with a # header line in a pipe, or one JSON object.
+///
+/// On a terminal numbers are rounded, in units with a prefix (cli/readable.hpp). Neighbouring columns of one
+/// unit share a prefix, chosen by their largest modulus; columns in "SI" have the unit of their row. A value
+/// with its error in the next column, "standard_error" or its name and "_error", ends with the second digit
+/// of the error, and so does its interval. No line is longer than the terminal is wide: meanings are wrapped,
+/// and a table with too many columns continues below with its first columns repeated.
 ///
 /// In a pipe numbers have the shortest form that reads back to the same double; nan is an unknown value, an
 /// infinite end of an interval is open, and "<" precedes a bound. Words from files are fit for a line
@@ -22,6 +27,7 @@ class Tool;
 using asperity::shortest;
 
 using Cell = std::variant<std::string, double>;
+std::string text_of(const Cell& cell);
 
 /// What else than finite numbers a column may hold: nothing, NaN for what is not known, or infinities too.
 enum class Holds { known, unknown, open };
@@ -44,10 +50,17 @@ struct Table {
   std::string json() const;
 };
 
+/// With what the note says.
+std::string meaning_of(const Parameter& row);
 /// Parameters, one a row; as JSON {"name": {"value": …, "unit": …, "standard_error": …, "interval_95": [low,
 /// high], "note": …}}, and "bound": true of a value that the quantity is below.
 Table table_of(const Parameters& parameters);
 std::string json_of(const Parameters& parameters);
+
+/// For a terminal of `width` columns.
+std::string aligned(const Table& table, std::size_t width);
+/// Columns quantity, value ± error, 95 % interval, unit, meaning.
+std::string aligned(const Parameters& parameters, std::size_t width);
 
 /// Throws DataError(name, …) for what a column does not hold, and for a parameter that is infinite.
 void check_finite(const Table& table);

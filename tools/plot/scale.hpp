@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "tools/cli/unit.hpp"
+#include "tools/cli/readable.hpp"
 
 namespace asperity::plot {
 

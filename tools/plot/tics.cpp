@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/cli/unit.hpp"
+#include "tools/cli/readable.hpp"
 
 namespace asperity::plot {
 namespace {
