@@ -9,8 +9,7 @@
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/turns.hpp"
-#include "tools/contact/accuracy.hpp"
-#include "tools/contact/resolution.hpp"
+#include "tools/contact/record.hpp"
 #include "tools/contact/several.hpp"
 
 using namespace asperity;
@@ -73,6 +72,7 @@ int press(cli::Tool& tool, cli::ContactOptions& options) {
                                      ? cli::press_accurately(tool, options, scene, influence)
                                      : cli::Accurate{cli::press(options, scene, influence), {}};
   const cli::Pressed& pressed = accurate.pressed;
+  cli::record(scene, options, pressed.contact, pressed.figures);
   before.tell(tool, scene.data, "pressure");
   scene.written([&] { tool.write(scene.data); });
   warn(tool, cli::doubts(scene));

@@ -77,11 +77,13 @@ int main(int argc, char** argv) {
       throw cli::UsageError("acf", "no input: pipe a table in or name a file");
     if (o.periodic && !tool.given("--shape") && !tool.given("--acf"))
       throw cli::UsageError("shape", "is required by --periodic");
-    cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, known, o.periodic ? o.shape : Shape{});
+    cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, cli::wanted_table(tool, o.kernel), known,
+                                                     o.periodic ? o.shape : Shape{});
     if (o.periodic) adopt_period(o, problem);
     cli::foresee(tool, problem, sized || o.periodic ? o.shape : Shape{}, true);
     if (o.periodic) problem.wrap(tool, o.shape);
-    cli::KernelSolution solution = cli::solve(tool, std::move(problem));
+    const cli::SolvedKernel kernel = cli::solve(tool, problem);
+    cli::KernelSolution solution = cli::record(tool, std::move(problem), kernel);
     if (o.periodic) wrap(tool, solution, o.shape);
     if (!solution.change.empty()) tool.warn(solution.change);
     solution.before.tell(tool, solution.data, "kernel");

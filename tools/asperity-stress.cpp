@@ -6,7 +6,6 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/section.hpp"
-#include "tools/stress/grid_errors.hpp"
 #include "tools/stress/maximum.hpp"
 #include "tools/stress/points.hpp"
 #include "tools/stress/several.hpp"

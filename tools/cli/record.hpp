@@ -1,10 +1,20 @@
-/// The record of a run: program, time, command, residuals and cost.
+/// The record of a run: program, time, command; and tables of quantities, by which results become attributes.
+///
+///     constexpr Quantity<Contact> solution[] = {{"contact_load", &Contact::load}, …};
+///     record(data.attributes, solution, contact);      // and read_back(data.attributes, solution, contact)
+///
+/// A table pairs names of the catalogue with members of a struct; labels, units and columns of tables follow
+/// from the name (dataset/catalogue.hpp).
 #pragma once
 
+#include <cmath>
 #include <ctime>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <variant>
 
+#include "dataset/catalogue.hpp"
 #include "dataset/dataset.hpp"
 
 namespace asperity::cli {
@@ -28,5 +38,66 @@ std::string usage_of_run(double wall_seconds);
 
 /// The global attributes whose names begin with `prefix` as one JSON object.
 std::string report_of(const Dataset& dataset, const std::string& prefix);
+
+// ---- tables of quantities ----
+
+/// Whether a value is recorded.
+using Kept = bool (*)(double value);
+constexpr bool always(double) { return true; }
+constexpr bool if_known(double value) { return value == value; }
+constexpr bool if_above_0(double value) { return value > 0; }
+inline bool if_finite(double value) { return std::isfinite(value); }
+
+/// An attribute and the member of a T that it holds.
+template <class T>
+struct Quantity {
+  AttributeName name;
+  std::variant<double T::*, int T::*, long T::*, bool T::*> member;
+  Kept kept = always;
+};
+
+/// Counts and bools become whole numbers; seconds are on_record().
+template <class T>
+void record(Attributes& a, const Quantity<T>& quantity, const T& from) {
+  auto set = [&](auto member) {
+    const auto value = from.*member;
+    if (!quantity.kept(static_cast<double>(value))) return;
+    if constexpr (std::is_integral_v<decltype(value)>)
+      a.set(quantity.name.text, static_cast<int>(value));
+    else
+      a.set(quantity.name.text, quantity.name.known().unit == "s" ? on_record(value) : value);
+  };
+  std::visit(set, quantity.member);
+}
+
+template <class T, std::size_t n>
+void record(Attributes& a, const Quantity<T> (&quantities)[n], const T& from) {
+  for (const Quantity<T>& quantity : quantities) record(a, quantity, from);
+}
+
+inline std::string error_name(std::string_view name) { return std::string(name) + "_error"; }
+
+/// NAME_error, where the quantity is recorded and its error known.
+template <class T>
+void record_error(Attributes& a, const Quantity<T>& quantity, const T& errors) {
+  const double error = errors.*std::get<double T::*>(quantity.member);
+  if (!std::isnan(error) && a.find(quantity.name.text)) a.set(error_name(quantity.name.text), error);
+}
+
+/// Each quantity, and behind it its error.
+template <class T, std::size_t n>
+void record(Attributes& a, const Quantity<T> (&quantities)[n], const T& from, const T& errors) {
+  for (const Quantity<T>& quantity : quantities) record(a, quantity, from), record_error(a, quantity, errors);
+}
+
+/// The recorded numbers, apart from counts; others stay as they are.
+template <class T, std::size_t n>
+void read_back(const Attributes& a, const Quantity<T> (&quantities)[n], T& into) {
+  for (const auto& [name, member, kept] : quantities)
+    if (const auto* number = std::get_if<double T::*>(&member))
+      into.** number = a.number(name.text, into.**number);
+    else if (const auto* yes = std::get_if<bool T::*>(&member))
+      into.** yes = a.number(name.text, into.**yes) != 0;
+}
 
 }  // namespace asperity::cli

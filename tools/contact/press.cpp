@@ -1,22 +1,65 @@
 #include "tools/contact/press.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "contact/influence.hpp"
+#include "contact/outline.hpp"
 #include "contact/stiffness.hpp"
+#include "dataset/layout.hpp"
 #include "tools/cli/grid_words.hpp"
-#include "tools/contact/resolution.hpp"
+#include "tools/cli/lineage.hpp"
+#include "transform/refinement.hpp"
 
 namespace asperity::cli {
+namespace {
+
+constexpr Index finest = 16;  // times the given cells
+
+// The largest error of a result, relative to it; NaN where none is known.
+double largest_error(const Contact& c, const GridFigures& figures) {
+  const GridErrors& e = figures.errors;
+  double out = e.max_pressure / c.max_pressure;
+  for (const auto& [error, value] : {std::pair{e.load, c.load},
+                                     {e.approach, c.approach},
+                                     {e.area_corrected, figures.area_corrected},
+                                     {e.stiffness, c.stiffness}})
+    if (std::isfinite(error) && std::isfinite(value)) out = std::max(out, std::abs(error / value));
+  return out;
+}
+
+ContactScene finer(const ContactScene& given, const ContactOptions& o, Index factor) {
+  const Shape times{factor, factor};
+  const Field rough = undeformed_gap(given.grid, o.bodies) - given.gap;
+  Dataset data = given.data;
+  drop_surface(data, "kernel");  // whose lengths count in the given samples
+  const Grid grid = refined_grid(given.grid, times);
+  set_grid(data, grid);
+  if (!o.smooth) {
+    const Field heights = refined(field_of(given.data, o.variable, "m"), given.grid, times);
+    set_field(data, o.variable, heights, {"m", given.data.at(o.variable).attributes.text("long_name")});
+  }
+  const Field gap = undeformed_gap(grid, o.bodies) - refined(rough, given.grid, times);
+  return scene_with(o, std::move(data), grid, gap);
+}
+
+std::string why_not(const ContactScene& scene, const Contact& contact, const GridFigures& figures) {
+  if (!contact.converged) return "the contact does not converge";
+  if (scene.growth.resolved() == Resolved::no)
+    return "the grid does not resolve the surface, whose slope grows with every finer one";
+  return figures.unknown;
+}
+
+}  // namespace
 
 ElasticOperator& Influence::on(const Grid& grid) {
   if (!made_ || grid.dx != grid_.dx || grid.dy != grid_.dy || !same_grid(grid, grid_)) {
     made_ =
         make_influence(grid, options_.bodies.composite_modulus(), options_.contact.threads, *options_.ranks);
-    told_ = 0;
+    reported_ = 0;
   }
   grid_ = grid;
   made_->forget_windows();
@@ -25,7 +68,7 @@ ElasticOperator& Influence::on(const Grid& grid) {
 
 double Influence::further_seconds() {
   const double now = made_->setup_seconds();
-  return now - std::exchange(told_, now);
+  return now - std::exchange(reported_, now);
 }
 
 std::unique_ptr<Influence> Influences::taken() {
@@ -41,6 +84,29 @@ void Influences::put_back(std::unique_ptr<Influence> one) {
   free_.push_back(std::move(one));
 }
 
+GridFigures grid_figures(const ContactOptions& options, const ContactScene& scene, ElasticOperator& influence,
+                         const Contact& contact) {
+  const Grid& grid = scene.grid;
+  const Outline around = outline(grid, contact);
+  GridFigures out{around.perimeter(grid),
+                  corrected_area(grid, contact, around, options.contact.limit_pressure)};
+  if (scene.growth.resolved() == Resolved::no || !contact.converged) return out;
+  out.errors.area = area_excess(grid, around);
+  out.errors.area_corrected = corrected_area_error(grid, contact, around);
+  if (!options.adds("grid_errors")) return out;
+  const CoarserContacts coarser =
+      coarser_contacts(grid, scene.gap, influence, contact, options.contact, options.bodies);
+  out.seconds = coarser.seconds;
+  out.unknown = coarser.unknown;
+  if (coarser.unknown.empty()) out.errors = grid_errors(grid, contact, coarser);
+  return out;
+}
+
+std::vector<Doubt> doubts(const GridFigures& figures) {
+  if (figures.unknown.empty()) return {};
+  return {{"has no errors of the grid", "the errors of the grid are not known: " + figures.unknown}};
+}
+
 Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence) {
   ElasticOperator& body = influence.on(scene.grid);
   const bool pressed_again = options.adds("grid_errors");  // on coarser cells; else the gap has served
@@ -48,10 +114,31 @@ Pressed press(const ContactOptions& options, ContactScene& scene, Influence& inf
   Pressed out{solve_contact(scene.grid, std::move(gap), body, options.contact), {}, {}};
   out.contact.setup_seconds = influence.further_seconds();
   out.figures = grid_figures(options, scene, body, out.contact);
-  record(scene, options, out.contact, out.figures);
   out.doubts = doubts(scene.grid, options.bodies, out.contact);
   for (Doubt& doubt : doubts(out.figures)) out.doubts.push_back(std::move(doubt));
   return out;
+}
+
+Accurate press_accurately(const Tool& tool, const ContactOptions& options, ContactScene& scene,
+                          Influence& influence) {
+  const ContactScene given = scene;
+  for (Index factor = 1;; factor *= 2) {
+    if (factor > 1) scene = finer(given, options, factor);
+    Accurate out{press(options, scene, influence), {}};
+    const auto& [contact, figures, doubts] = out.pressed;
+    const double error = largest_error(contact, figures);
+    const std::string cells = text(scene.grid.shape);
+    tool.detail(fmt::format("{} cells: errors of the grid up to {:.2g} %", cells, 100 * error));
+    scene.refinement = factor;
+    if (error <= options.accuracy) return out;
+    out.unreached = why_not(given, contact, figures);
+    const Shape next{2 * scene.grid.shape.nx, 2 * scene.grid.shape.ny};
+    if (out.unreached.empty() && (factor == finest || !fits(tool, next)))
+      out.unreached =
+          fmt::format("on {} cells, {} times the given ones a side, errors are still up to {:.2g} %", cells,
+                      factor, 100 * error);
+    if (!out.unreached.empty()) return out;
+  }
 }
 
 void SweepDoubts::add(const Tool& tool, const std::vector<Doubt>& doubts, const std::string& load) {

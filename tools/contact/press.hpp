@@ -1,4 +1,4 @@
-/// A contact from its scene, and what is said about it.
+/// A contact from its scene: solved once, or on finer cells until the errors of the grid are small enough.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 #include "contact/doubts.hpp"
 #include "contact/elastic_operator.hpp"
-#include "tools/contact/resolution.hpp"
+#include "contact/grid_error.hpp"
 #include "tools/contact/scene.hpp"
 
 namespace asperity::cli {
@@ -28,7 +28,7 @@ class Influence {
   const ContactOptions& options_;
   Grid grid_ = {};
   std::unique_ptr<ElasticOperator> made_ = {};
-  double told_ = 0;
+  double reported_ = 0;
 };
 
 /// As many of them as there are contacts at once.
@@ -60,14 +60,38 @@ class Influences {
   std::vector<std::unique_ptr<Influence>> free_ = {};
 };
 
+/// What the grid makes of one contact.
+struct GridFigures {
+  double perimeter = 0, area_corrected = 0;  ///< [m], [m²]
+  GridErrors errors = {};                    ///< those of areas; the others with --add grid_errors
+  std::string unknown = {};                  ///< why errors that were asked for are not known
+  double seconds = 0;                        ///< of the coarser contacts
+};
+
+/// Solves the coarser contacts if they were asked for.
+GridFigures grid_figures(const ContactOptions& options, const ContactScene& scene, ElasticOperator& influence,
+                         const Contact& contact);
+/// Why a contact has no errors.
+std::vector<Doubt> doubts(const GridFigures& figures);
+
 struct Pressed {
   Contact contact;
   GridFigures figures;
   std::vector<Doubt> doubts;
 };
 
-/// Solves the scene and records the result in its dataset.
+/// Solves the scene, whose gap it takes unless errors of the grid were asked for.
 Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence);
+
+struct Accurate {
+  Pressed pressed;
+  std::string unreached;  ///< why --accuracy is not reached; empty where it is
+};
+
+/// Presses the scene on its own cells, then on 2, 4, 8 and 16 times as many along each side, of the surface
+/// refined by its own band limit, and leaves the last of these scenes.
+Accurate press_accurately(const Tool& tool, const ContactOptions& options, ContactScene& scene,
+                          Influence& influence);
 
 /// Doubts of a sweep: each kind in full at its first load, then a count and the last load.
 class SweepDoubts {

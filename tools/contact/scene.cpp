@@ -4,18 +4,13 @@
 
 #include <fmt/format.h>
 
-#include "contact/flattening.hpp"
-#include "contact/hertz.hpp"
-#include "contact/influence.hpp"
+#include "core/error.hpp"
 #include "dataset/layout.hpp"
+#include "stats/hybrid/slopes.hpp"
+#include "stats/hybrid/summits.hpp"
+#include "stats/sample/moments.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/heights_words.hpp"
-#include "tools/cli/lineage.hpp"
-#include "tools/cli/record.hpp"
-#include "tools/contact/figures.hpp"
-#include "tools/contact/resolution.hpp"
-
-using namespace std::string_literals;
 
 namespace asperity::cli {
 namespace {
@@ -23,11 +18,6 @@ namespace {
 Periodic periodic_of(std::string_view boundary) {
   const bool both = boundary == "periodic";
   return {both || boundary == "periodic_x", both || boundary == "periodic_y"};
-}
-
-std::string boundary_of(Periodic periodic) {
-  if (!periodic.any()) return "free";
-  return periodic.both() ? "periodic" : periodic.x ? "periodic_x" : "periodic_y";
 }
 
 constexpr double bytes_a_cell = 120;
@@ -56,7 +46,7 @@ void refuse_radius(const ContactOptions& o, Periodic periodic) {
                   in_x ? "x" : "y", in_x ? "y" : "x"));
 }
 
-// A periodic surface may be pressed as a single patch; no other becomes periodic by being told so.
+// A periodic surface may be pressed as a single patch; no other becomes periodic by the option.
 Periodic periodic(const ContactOptions& o, const Grid& grid) {
   const Periodic out = o.boundary.empty() ? grid.periodic : periodic_of(o.boundary);
   const bool in_x = out.x && !grid.periodic.x;
@@ -86,110 +76,40 @@ Field counter_heights(const Tool& tool, const std::string& name, const Grid& gri
   return with_doubts(tool, field_of(data, "heights", "m", rows), grid);
 }
 
-void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
-  auto set_pair = [&a](const char* name, double first, double second) {
-    a.set_values(name, std::vector<double>{first, second});
-  };
-  const Bodies& b = o.bodies;
-  set_pair("contact_radius_x", b.radius[0].x, b.radius[1].x);
-  set_pair("contact_radius_y", b.radius[0].y, b.radius[1].y);
-  set_pair("contact_young", b.young[0], b.young[1]);
-  set_pair("contact_poisson", b.poisson[0], b.poisson[1]);
-  a.set("contact_composite_modulus", b.composite_modulus());
-  a.set("contact_prescribed", o.contact.approach ? "approach" : "load");
-  a.set("contact_boundary", boundary_of(grid.periodic));
-  if (grid.periodic.one()) a.set("contact_approach_datum", displacement_datum(grid));
-  if (!o.counter.empty()) a.set("contact_counter", o.counter);
-  a.set("contact_limit_pressure", o.contact.limit_pressure);
-  a.set("contact_tolerance", o.contact.tolerance);
+// Nothing where the field has too few points.
+template <class Measure>
+void if_possible(Measure measure) try {
+  measure();
+} catch (const DataError&) {
 }
 
-// What the bodies would do were they smooth, where that has a closed form.
-void record_hertz(Attributes& a, const Grid& grid, const Bodies& bodies, double load) {
-  if (has_line_contact(grid, bodies)) {
-    const HertzLine smooth = hertz_line(grid, bodies, load);
-    a.set("contact_hertz_pressure", smooth.pressure);
-    a.set("contact_hertz_half_width", smooth.half_width);
-    a.set("contact_hertz_approach", smooth.approach);
-  }
-  if (!has_point_contact(bodies)) return;
-  const Hertz smooth = hertz(bodies, load);
-  a.set("contact_hertz_pressure", smooth.pressure);
-  a.set("contact_hertz_radius", smooth.radius);
-  a.set("contact_hertz_radius_x", smooth.radius_x);
-  a.set("contact_hertz_radius_y", smooth.radius_y);
-  a.set("contact_hertz_approach", smooth.approach);
+// Of the rough gap [m], a difference of values up to `largest`. What its size and shape do not allow is
+// unknown.
+GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads, double largest) {
+  GapRoughness out;
+  const Strip whole = Strip::whole(rough_gap, grid);
+  const double mean = rough_gap.mean();
+  if_possible([&] { out.rms_height = moments(rough_gap).sq; });
+  const RmsSlope slope = rms_slope(rough_gap, grid);
+  out.rms_slope = slope.value, out.rms_slope_error = slope.error;
+  if_possible([&] {
+    SpectralMomentSums spectral;
+    spectral.add(whole, mean, threads);
+    out.nayak_alpha = spectral.moments(grid).isotropic().bandwidth();
+  });
+  if_possible([&] {
+    constexpr double round_off = 1e-10;  // of values that cancelled, and far more
+    SummitSums summits(round_off * largest);
+    summits.add(whole, mean, threads);
+    const CountedSummits counted = summits.summits(grid);
+    if (counted.count > 0) out.plateaus = counted.plateaus / counted.count;
+    out.summit_deviation = counted.height_deviation;
+    out.summit_curvature = counted.mean_curvature;
+  });
+  return out;
 }
 
-void record_result(Attributes& a, const Contact& c) {
-  a.set("contact_load", c.load);
-  if (c.flattening_load > 0) a.set("contact_flattening_load", c.flattening_load);
-  a.set("contact_approach", c.approach);
-  a.set("contact_max_pressure", c.max_pressure);
-  a.set("contact_area", c.area);
-  a.set("contact_plastic_area", c.plastic_area);
-  a.set("contact_mean_gap", c.mean_gap);
-  a.set("contact_residual", c.residual);
-  a.set("contact_load_residual", c.load_residual);
-  a.set("contact_converged", c.converged ? 1 : 0);
-  a.set("contact_convolutions", c.convolutions);
-  a.set("contact_preconditionings", c.preconditionings);
-  a.set("contact_levels", c.levels);
-  a.set("contact_setup_seconds", on_record(c.setup_seconds));
-  a.set("contact_seconds", on_record(c.seconds));
-}
-
-// Not that of a former run.
-void record_stiffness(Attributes& a, const ContactOptions& o, const Contact& c) {
-  if (!o.contact.stiffness) return;
-  a.set("contact_stiffness", c.stiffness);
-  a.set("contact_stiffness_residual", c.stiffness_residual);
-  a.set("contact_stiffness_converged", std::isnan(c.stiffness) ? 0 : 1);
-}
-
-void record_fields(Dataset& data, SharedFields& fields, const Contact& c) {
-  fields.set(data, "pressure", c.pressure, {"Pa", "contact pressure"});
-  fields.set(data, "gap", c.gap, {"m", "gap between the pressed bodies, negative where flattened"});
-  fields.set(data, "displacement", c.displacement, {"m", "elastic displacement of both bodies together"});
-  set_flags(data, "contact", c.state, "state of contact", "open elastic at_limit_pressure");
-}
-
-void record_flattening(Dataset& data, SharedFields& fields, const ContactOptions& o, const Contact& c,
-                       const Field& pressed) {
-  if (std::isinf(o.contact.limit_pressure)) return;
-  const Field flattened = plastic_flattening(c);
-  fields.set(data, "displacement_plastic", flattened, {"m", "plastic flattening of both bodies together"});
-  if (!o.unloads()) return;
-  const Field left = o.smooth ? Field(-flattened) : Field(pressed - flattened);
-  fields.set(data, "heights_residual", left, {"m", "heights after the load is removed"});
-}
-
-// A column of a sweep, and the error that the grid leaves of it.
-struct LoadColumn {
-  const char *name, *unit;
-  double (*value)(const Contact&, const GridFigures&);
-  double GridErrors::*error = nullptr;
-  Holds holds = Holds::known;
-};
-
-template <auto member>
-constexpr auto figure = [](const Contact& c, const GridFigures&) { return static_cast<double>(c.*member); };
-
-const LoadColumn load_columns[] = {
-    {"load", "N", figure<&Contact::load>},
-    {"approach", "m", figure<&Contact::approach>, &GridErrors::approach},
-    {"area", "m2", figure<&Contact::area>, &GridErrors::area},
-    {"area_corrected", "m2", [](const Contact&, const GridFigures& f) { return f.area_corrected; },
-     &GridErrors::area_corrected},
-    {"plastic_area", "m2", figure<&Contact::plastic_area>, &GridErrors::plastic_area},
-    {"mean_gap", "m", figure<&Contact::mean_gap>, &GridErrors::mean_gap},
-    {"stiffness", "N/m", figure<&Contact::stiffness>, &GridErrors::stiffness, Holds::open},
-    {"max_pressure", "Pa", figure<&Contact::max_pressure>, &GridErrors::max_pressure},
-    {"residual", "1", figure<&Contact::residual>},
-    {"convolutions", "1", figure<&Contact::convolutions>},
-    {"converged", "1", figure<&Contact::converged>}};
-
-// What the whole gap tells. Where that is not kept, it is worked in.
+// Measures the whole gap; where it is not kept, in its own memory.
 void learn_from_gap(ContactScene& scene, const ContactOptions& o, bool spends_gap) {
   scene.data.find("x")->attributes.set("periodic", scene.grid.periodic.x ? 1 : 0);
   scene.data.find("y")->attributes.set("periodic", scene.grid.periodic.y ? 1 : 0);
@@ -204,6 +124,30 @@ void learn_from_gap(ContactScene& scene, const ContactOptions& o, bool spends_ga
       rough ? slope_growth(spends_gap ? std::move(scene.gap) : scene.gap, scene.grid, o.contact.threads)
             : SlopeGrowth{GridErrors::none};
   if (scene.growth.resolved() == Resolved::no) scene.roughness.rms_slope_error = GapRoughness::unknown;
+}
+
+std::vector<Doubt> doubts(const SlopeGrowth& growth) {
+  if (growth.resolved() == Resolved::yes) return {};
+  const bool not_at_all = growth.resolved() == Resolved::no;
+  return {{"is not resolved",
+           fmt::format(
+               "the grid {} the surface: the last halving of the cells, to these, adds {:.2g} times as much "
+               "to its mean square slope as the halving before (contact_slope_growth; less than 0.8 times "
+               "where the grid is fine enough), {}; give the surface a short-wave cut-off of some 8 cells "
+               "(asperity help troubleshooting)",
+               not_at_all ? "does not resolve" : "barely resolves", growth.gamma,
+               not_at_all ? "so areas and pressures depend on the grid and have no errors"
+                          : "so errors of the grid are in doubt")}};
+}
+
+Doubt doubt(const Seam& seam, Periodic periodic, bool in_x) {
+  const std::string axis = in_x ? "x" : "y", other = in_x ? "y" : "x";
+  return {
+      in_x ? "jumps at its seam along x" : "jumps at its seam along y",
+      fmt::format("the surface is marked as periodic along {} but jumps at the seam: the rms step from its "
+                  "last line to its first, {:.3g} m, is {:.2g} times the largest between neighbouring lines; "
+                  "press it with --boundary {}, or remove its trend and taper its edges",
+                  axis, seam.step, seam.step / seam.largest, periodic.both() ? "periodic_" + other : "free")};
 }
 
 }  // namespace
@@ -244,57 +188,19 @@ ContactScene scene_with(const ContactOptions& o, Dataset data, const Grid& grid,
   return scene;
 }
 
-void record(ContactScene& scene, const ContactOptions& options, const Contact& contact,
-            const GridFigures& grid) {
-  const bool keeps = options.unloads() && !options.smooth;
-  const Slabs slabs = contact.slabs();
-  const Field pressed = keeps ? own_rows(field_of(scene.data, options.variable, "m"), slabs) : Field();
-  SharedFields& fields = scene.fields.emplace(slabs);
-  const bool overwrites = options.unloads() && options.variable == "heights_residual";
-  drop_results(scene.data, "contact", overwrites ? "" : options.variable);
-  Attributes& a = scene.data.attributes;
-  if (!options.smooth) a.set("contact_variable", options.variable);
-  record_bodies(a, options, scene.grid);
-  record_hertz(a, scene.grid, options.bodies, contact.load);
-  record_result(a, contact);
-  record_stiffness(a, options, contact);
-  record(a, scene.growth, grid);
-  record_fields(scene.data, fields, contact);
-  record_flattening(scene.data, fields, options, contact, pressed);
-  for (const Figure& f : figures(scene, options, contact, grid)) {
-    a.set("contact_" + f.name, f.value);
-    if (const double error = f.error.value_or(NAN); !std::isnan(error))
-      a.set("contact_" + f.name + "_error", error);
-  }
-  if (options.adds("patches")) record_patches(scene.data, scene.grid, contact);
-}
-
-void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& c,
-              const GridFigures& grid) {
-  const Figures further = figures(scene, options, c, grid);
-  const bool errors = options.adds("grid_errors");
-  if (table.columns.empty()) {
-    for (const LoadColumn& l : load_columns) {
-      table.columns.push_back({l.name, l.unit, l.holds});
-      if (errors && l.error) table.columns.push_back({l.name + "_error"s, l.unit, Holds::unknown});
-    }
-    for (const Figure& f : further)
-      if (f.of_load) {
-        table.columns.push_back({f.name, f.unit});
-        if (errors && f.error) table.columns.push_back({f.name + "_error", f.unit, Holds::unknown});
-      }
-  }
-  std::vector<Cell> row;
-  for (const LoadColumn& l : load_columns) {
-    row.push_back(l.value(c, grid));
-    if (errors && l.error) row.push_back(grid.errors.*l.error);
-  }
-  for (const Figure& f : further)
-    if (f.of_load) {
-      row.push_back(f.value);
-      if (errors && f.error) row.push_back(*f.error);
-    }
-  table.rows.push_back(std::move(row));
+std::vector<Doubt> doubts(const ContactScene& scene) {
+  std::vector<Doubt> out = doubts(scene.growth);
+  if (constexpr double told = 0.01; scene.roughness.plateaus > told)
+    out.push_back(
+        {"has summits that are plateaus",
+         fmt::format("{:.2g} % of the summits are plateaus of equal heights, as of heights in coarse steps: "
+                     "nayak_alpha and plasticity_index are in doubt; smooth the steps first (asperity-filter "
+                     "--lambda-s)",
+                     100 * scene.roughness.plateaus)});
+  for (const bool in_x : {true, false})
+    if (const Seam& seam = scene.seams[in_x ? 0 : 1]; seam.jumps())
+      out.push_back(doubt(seam, scene.grid.periodic, in_x));
+  return out;
 }
 
 }  // namespace asperity::cli

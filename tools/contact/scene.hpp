@@ -1,15 +1,15 @@
-/// What asperity-contact presses together, and what it leaves of a solution: attributes and fields, or a row.
+/// What asperity-contact presses together: the gap of two surfaces, and what is known of it beforehand.
 #pragma once
 
 #include <functional>
 #include <optional>
 
+#include "contact/doubts.hpp"
 #include "contact/ratios.hpp"
 #include "dataset/dataset.hpp"
 #include "stats/hybrid/seam.hpp"
 #include "stats/hybrid/slope_growth.hpp"
 #include "tools/cli/shared_fields.hpp"
-#include "tools/cli/table.hpp"
 #include "tools/contact/options.hpp"
 
 namespace asperity::cli {
@@ -21,9 +21,10 @@ struct ContactScene {
   SlopeGrowth growth = {};                  ///< of the gap; γ is NaN where it is that of smooth bodies
   std::array<Seam, 2> seams = {};           ///< of the gap, along the axes where it is periodic
   GapRoughness roughness = {};              ///< of the gap, for --add contact_ratios
+  Index refinement = 1;                     ///< cells along a side for each given one, by --accuracy
   std::optional<SharedFields> fields = {};  ///< that record() has put into the dataset
 
-  /// What write() makes of the dataset, on the first rank.
+  /// Calls write() on the first rank.
   void written(const std::function<void()>& write) const { fields->first_writes(write); }
 };
 
@@ -37,14 +38,7 @@ ContactScene scene_with(const ContactOptions& options, Dataset data, const Grid&
 /// Whether a contact of so many cells fits into --memory.
 bool fits(const Tool& tool, Shape shape);
 
-struct GridFigures;
-
-/// The effective parameters, the result and its fields, in place of any former ones.
-void record(ContactScene& scene, const ContactOptions& options, const Contact& contact,
-            const GridFigures& grid);
-
-/// Adds the row of a load to the table of a sweep, whose columns come with the first.
-void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& contact,
-              const GridFigures& grid);
+/// Whether the grid resolves the surfaces, and whether periodic ones continue at their edges.
+std::vector<Doubt> doubts(const ContactScene& scene);
 
 }  // namespace asperity::cli

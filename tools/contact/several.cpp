@@ -12,7 +12,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/turns.hpp"
-#include "tools/contact/resolution.hpp"
+#include "tools/contact/record.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -95,6 +95,7 @@ int press_several(Tool& tool, ContactOptions& options) {
   const auto solve = [&](ContactScene& scene, const EnsembleMember& of) {
     const Inventory before(scene.data);
     const Pressed pressed = influences.with_one([&](Influence& own) { return press(options, scene, own); });
+    record(scene, options, pressed.contact, pressed.figures);
     in_turn([&, name = of.name, results = scene.data.attributes, converged = pressed.contact.converged] {
       rows.add(name, results, converged);
     });

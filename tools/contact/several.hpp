@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "tools/cli/table.hpp"
 #include "tools/contact/press.hpp"
 
 namespace asperity::cli {

@@ -8,8 +8,7 @@
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
-#include "tools/contact/resolution.hpp"
-#include "tools/stress/grid_errors.hpp"
+#include "tools/contact/record.hpp"
 #include "tools/stress/maximum.hpp"
 
 namespace asperity::report {

@@ -5,29 +5,36 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "core/words.hpp"
 #include "stress/edge.hpp"
+#include "stress/maximum_error.hpp"
 #include "tools/cli/progress.hpp"
+#include "tools/cli/record.hpp"
 #include "tools/cli/table.hpp"
 
 namespace asperity::cli {
 namespace {
 
-// How a criterion is called: by --of, by the attribute of its maximum, and in a message.
-struct Words {
-  const char *of, *attribute, *text;
+// A criterion as --of names it, the attribute of its maximum, and in a message.
+struct CriterionWords {
+  Criterion criterion;
+  const char* of;
+  Quantity<StressMaximum> maximum;
+  const char* text;
 };
 
-constexpr Words criterion_words(Criterion of) {
-  switch (of) {
-    case Criterion::von_mises:
-      return {"von_mises", "stress_max_von_mises", "von Mises stress"};
-    case Criterion::max_shear:
-      return {"max_shear", "stress_max_shear", "shear stress"};
-    case Criterion::principal:
-      return {"principal", "stress_max_principal", "principal stress"};
-  }
-  return {};
+constexpr CriterionWords criteria[] = {
+    {Criterion::von_mises, "von_mises", {"stress_max_von_mises", &StressMaximum::value}, "von Mises stress"},
+    {Criterion::max_shear, "max_shear", {"stress_max_shear", &StressMaximum::value}, "shear stress"},
+    {Criterion::principal, "principal", {"stress_max_principal", &StressMaximum::value}, "principal stress"}};
+
+constexpr Quantity<StressMaximum> place_quantities[] = {{"stress_max_x", &StressMaximum::x},
+                                                        {"stress_max_y", &StressMaximum::y},
+                                                        {"stress_max_depth", &StressMaximum::depth}};
+
+const CriterionWords& criterion_words(Criterion of) {
+  return *std::ranges::find(criteria, of, &CriterionWords::criterion);
 }
 
 // `layers`: those of a dataset follow.
@@ -91,13 +98,11 @@ void warn_if_at_edge(const Tool& tool, const Grid& grid, const StressMaximum& ma
 
 StressMaximum found_maximum(const Tool& tool, StressScene& scene, const StressSearch& search,
                             const LoadedBody& body) {
-  const auto [of, attribute, what] = criterion_words(search.of);
+  const auto& [criterion, of, quantity, what] = criterion_words(search.of);
   const StressMaximum top = search_layers(tool, scene, body, search);
   Attributes& a = scene.data.attributes;
-  a.set(attribute, top.value);
-  a.set("stress_max_x", top.x);
-  a.set("stress_max_y", top.y);
-  a.set("stress_max_depth", top.depth);
+  record(a, quantity, top);
+  record(a, place_quantities, top);
   if (search.below > 0) a.set("stress_max_below", search.below);
   tool.detail(fmt::format("largest {} {:.6g} MPa, {:.6g} um deep, from {}", what, top.value * 1e-6,
                           top.depth * 1e6, counted(top.layers, "layer")));
@@ -106,7 +111,7 @@ StressMaximum found_maximum(const Tool& tool, StressScene& scene, const StressSe
     tool.note(fmt::format("the largest {} lies at the depth of --below; above it, it is larger", what));
   const double missing =
       search.below > 0 ? 0 : edge_error(top, search.of, body, at_limit_pressure(scene.data, body));
-  if (missing > 0) a.set(std::string(attribute) + "_error", missing);
+  if (missing > 0) a.set(error_name(quantity.name.text), missing);
   warn_if_shallow(tool, body, search, top, missing);
   warn_if_at_edge(tool, body.grid, top, what);
   return top;
@@ -114,12 +119,11 @@ StressMaximum found_maximum(const Tool& tool, StressScene& scene, const StressSe
 
 }  // namespace
 
-std::string attribute_of(Criterion of) { return criterion_words(of).attribute; }
+std::string attribute_of(Criterion of) { return std::string(criterion_words(of).maximum.name.text); }
 
 StressSearch search_of(const StressOptions& options, const Grid& grid) {
   StressSearch search;
-  for (Criterion c : {Criterion::von_mises, Criterion::max_shear, Criterion::principal})
-    if (options.of == criterion_words(c).of) search.of = c;
+  search.of = std::ranges::find(criteria, options.of, &CriterionWords::of)->criterion;
   if (!options.below.empty()) search.below = depth_on(grid, "below", options.below, StressSearch::deepest);
   return search;
 }
@@ -138,7 +142,7 @@ StressMaximum find_maximum(const Tool& tool, StressScene& scene, const StressSea
 
 Table maxima_of(const Tool& tool, const StressOptions& options, const StressScene& scene) {
   const StressSearch search = search_of(options, scene.body.grid);
-  const auto [of, attribute, what] = criterion_words(search.of);
+  const auto& [criterion, of, quantity, what] = criterion_words(search.of);
   Progress progress(tool);
   const auto maxima = maximum_by_depth(StressSolver(scene.body, tool.thread_count(), scene.resolution),
                                        search.of, scene.depths, [&](const StressProbe& p) {
@@ -153,6 +157,43 @@ Table maxima_of(const Tool& tool, const StressOptions& options, const StressScen
   warn_if_at_edge(tool, scene.body.grid, top, what);
   if (search.of == Criterion::von_mises) warn_of_yield(tool, scene, top.value);
   return table;
+}
+
+// ---- errors of the grid ----
+
+RecordedContact loading_contact(const Dataset& data, int threads) {
+  RecordedContact out = recorded_contact(data, threads);
+  const bool solvable = out.unknown.empty() || out.growth.resolved() == Resolved::no;
+  if (!solvable) throw UsageError("add", "grid_errors solves the contact again: " + out.unknown);
+  return out;
+}
+
+StressMaximum maximum_error(const LoadedBody& body, DepthResolution resolution,
+                            const CoarserContacts& coarser, const StressSearch& search,
+                            const StressMaximum& maximum, bool at_limit_pressure, int threads) {
+  auto on = [&](std::size_t level) {
+    const LoadedBody below{coarser.grid[level], coarser.contact[level].pressure, body.poisson, body.friction};
+    return maximum_stress(StressSolver(below, threads, resolution), search);
+  };
+  return maximum_error(body, {maximum, on(0), on(1)}, search, at_limit_pressure);
+}
+
+void record(Attributes& a, Criterion of, const StressMaximum& error) {
+  if (std::isnan(error.value)) return;
+  record_error(a, criterion_words(of).maximum, error);
+  record_error(a, place_quantities[2], error);
+}
+
+void record_grid_errors(const Tool& tool, StressScene& scene, const RecordedContact& loading,
+                        const StressSearch& search, const StressMaximum& maximum) {
+  const CoarserContacts coarser = coarser_contacts(loading);
+  if (!coarser.unknown.empty()) {
+    tool.warn("the error of the largest stress is not known: " + coarser.unknown);
+    return;
+  }
+  record(scene.data.attributes, search.of,
+         maximum_error(scene.body, scene.resolution, coarser, search, maximum, loading.at_limit(),
+                       tool.thread_count()));
 }
 
 }  // namespace asperity::cli

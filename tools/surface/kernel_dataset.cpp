@@ -41,26 +41,26 @@ void check(const KernelTables& tables) {
   if (tables.acf_target.cols() % 2 == 0 || !(tables.rms() > 0))
     throw DataError("acf_target", "its middle column does not begin with the variance");
   const double variance = tables.kernel.square().sum(),
-               told = tables.translated ? 1 : tables.acf_achieved(0, tables.acf_achieved.cols() / 2);
-  if (!(std::abs(variance - told) <= 1e-6 * told))
+               stated = tables.translated ? 1 : tables.acf_achieved(0, tables.acf_achieved.cols() / 2);
+  if (!(std::abs(variance - stated) <= 1e-6 * stated))
     throw DataError("kernel", "the sum of its squares, " + shortest(variance) +
-                                  ", is not the variance that it must have, " + shortest(told) +
+                                  ", is not the variance that it must have, " + shortest(stated) +
                                   ": one of them was changed; solve for the kernel again");
 }
 
-// ---- the attributes kernel_* ----
-
-const std::pair<const char*, double KernelReport::*> figures[] = {
-    {"kernel_residual", &KernelReport::residual}, {"kernel_change", &KernelReport::change},
-    {"kernel_error", &KernelReport::error},       {"kernel_mirrored_error", &KernelReport::mirrored_error},
-    {"kernel_tail", &KernelReport::tail},         {"kernel_feasibility", &KernelReport::feasibility},
-};
-const std::pair<const char*, long KernelReport::*> counts[] = {
+constexpr Quantity<KernelReport> report_quantities[] = {
+    {"kernel_residual", &KernelReport::residual},
+    {"kernel_change", &KernelReport::change},
+    {"kernel_error", &KernelReport::error},
+    {"kernel_mirrored_error", &KernelReport::mirrored_error},
+    {"kernel_tail", &KernelReport::tail},
+    {"kernel_feasibility", &KernelReport::feasibility},
     {"kernel_newton_iterations", &KernelReport::steps},
     {"kernel_residuals", &KernelReport::residuals},
     {"kernel_jacobian_products", &KernelReport::jacobian_products},
     {"kernel_preconditionings", &KernelReport::preconditionings},
-};
+    {"kernel_seconds", &KernelReport::seconds},
+    {"kernel_converged", &KernelReport::converged}};
 
 }  // namespace
 
@@ -161,18 +161,15 @@ void record_kernel(Attributes& a, const KernelRequest& request, const Kernel& ke
   a.set("kernel_tolerance", request.tolerance);
   a.set("kernel_acf_tolerance", request.acf_tolerance);
   a.set("kernel_answer", name_of(kernel.report.answer));
-  for (const auto& [name, figure] : figures) a.set(name, kernel.report.*figure);
-  for (const auto& [name, count] : counts) a.set(name, static_cast<int>(kernel.report.*count));
-  a.set("kernel_seconds", on_record(kernel.report.seconds));
-  a.set("kernel_converged", kernel.report.converged ? 1 : 0);
+  record(a, report_quantities, kernel.report);
   a.set("kernel_reason", kernel.report.reason);
 }
 
 KernelReport recorded_report(const Attributes& a) {
   KernelReport out;
   out.residual = out.error = NAN;
-  for (const auto& [name, figure] : figures) out.*figure = a.number(name, out.*figure);
-  out.converged = a.number("kernel_converged", 1) != 0;
+  out.converged = true;
+  read_back(a, report_quantities, out);
   out.reason = a.text("kernel_reason");
   return out;
 }

@@ -1,59 +1,11 @@
 #include "tools/surface/kernel_options.hpp"
 
-#include <algorithm>
-
-#include "acf/kernel_cost.hpp"
-#include "core/words.hpp"
-
 namespace asperity::cli {
 namespace {
-
-bool given(const Tool& tool, const char* option) { return tool.given(std::string("--") + option); }
 
 std::vector<std::string> words(auto enumeration) {
   const auto all = enum_words(enumeration);
   return {all.begin(), all.end()};
-}
-
-double metres(const char* option, const SampledLength& length, const Spacing& spacing, std::size_t axis) {
-  if (!length.samples && !spacing)
-    throw UsageError(option, "a length in metres needs --spacing, or --shape and --size");
-  return length.metres(spacing ? (*spacing)[axis] : 1.0);
-}
-
-// A wave of less than two samples along an axis looks like a longer one.
-void refuse_aliased(const EllipticTarget& t, const std::string& wavelength) {
-  if (t.model != Model::exponential_cosine) return;
-  const double samples = t.wavelength / std::max(std::abs(std::cos(t.angle)) * t.spacing_x,
-                                                 std::abs(std::sin(t.angle)) * t.spacing_y);
-  if (samples < 2 * (1 - 1e-12))
-    throw UsageError("wavelength", wavelength + ": " + number(samples) +
-                                       " samples; at least 2 are needed, or it looks like a longer wave");
-}
-
-constexpr const char* side_of_surface = "shorter side of the surface";
-
-std::string shown(double length, bool in_samples, double spacing) {
-  return in_samples ? number(length / spacing) + "px" : format_quantity(length, "m");
-}
-
-// `above` says what the upper bound is.
-void refuse_beyond(const char* option, const SampledLength& wave, double spacing, const WaveBounds& bounds,
-                   const char* above) {
-  auto words = [&](double length) { return shown(length, wave.samples, spacing); };
-  const double length = wave.metres(spacing);
-  if (bounds.below(length))
-    throw UsageError(option, words(length) + ": below two samples, " + words(bounds.least));
-  if (bounds.above(length))
-    throw UsageError(option, words(length) + ": above the " + above + ", " + words(bounds.most));
-}
-
-void refuse_levelled(const EllipticTarget& model, const SampledLength& rolloff,
-                     const std::string& wavelength) {
-  const double length = rolloff.metres(model.spacing_x);
-  if (model.model == Model::exponential_cosine && length < model.wavelength * (1 - WaveBounds::rounded))
-    throw UsageError("rolloff", shown(length, rolloff.samples, model.spacing_x) + ": below --wavelength, " +
-                                    wavelength + ", the wave that it would level");
 }
 
 }  // namespace
@@ -142,111 +94,8 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
               "Largest residual of the equations, as a share of the variance", group);
 }
 
-EllipticTarget KernelOptions::model(const Tool& tool, const Spacing& spacing) const {
-  refuse_unused(tool);
-  EllipticTarget out = shape;
-  out.model = enum_named<Model>(target, "model");
-  out.spacing_x = spacing ? (*spacing)[0] : 1;
-  out.spacing_y = spacing ? (*spacing)[1] : 1;
-  const bool corner = rolloff_is_length(tool);
-  auto length_along = [&](std::size_t axis) {
-    if (!corner) return metres("length", length[axis], spacing, axis);
-    const double wave = metres("rolloff", rolloff[axis], spacing, axis);
-    check_parameter(wave >= 1e-100 && wave <= 1e100, "rolloff",
-                    number(wave) + ": must lie in 1e-100 ... 1e100");
-    return length_for_rolloff(out, wave);
-  };
-  const std::array lengths{length_along(0), length_along(1)};
-  out.length_x = lengths[0], out.length_y = lengths[1];
-  out.angle = parse_angle("angle", angle);
-  if (!wavelength.empty())
-    out.wavelength = metres("wavelength", parse_length("wavelength", wavelength), spacing, 0);
-  try {
-    out.check();
-  } catch (const ParameterError& e) {
-    throw ParameterError(e.name == "length" ? length_option(tool) : e.name, e.what());
-  }
-  refuse_aliased(out, wavelength);
-  return out;
-}
-
-void KernelOptions::refuse_unused(const Tool& tool) const {
-  const bool corner = rolloff_is_length(tool);
-  if (!tool.given("--length") && !corner)
-    throw UsageError("length", target == "self-affine" ? "is required, or --rolloff"
-                               : tool.given("--rolloff")
-                                   ? "is required: --rolloff is the length of self-affine only"
-                                   : "is required");
-  for (const char* option : {"length", "length-level"})
-    if (corner && given(tool, option))
-      throw UsageError(option, "cannot be combined with --rolloff, which is the length of self-affine");
-  for (const ShapeParameter& parameter : shape_parameters)
-    if (const std::string owner(name_of(parameter.model)); given(tool, parameter.name) && target != owner)
-      throw UsageError(parameter.name, "belongs to --model " + owner + ", not to " + target);
-  if (target == "exponential-cosine" && wavelength.empty())
-    throw UsageError("wavelength", "is required by --model exponential-cosine");
-}
-
 bool KernelOptions::rolloff_is_length(const Tool& tool) const {
   return tool.given("--rolloff") && target == "self-affine";
-}
-
-std::optional<BandLimited> KernelOptions::band(const Tool& tool, const EllipticTarget& model,
-                                               Shape period) const {
-  const bool levels = tool.given("--rolloff") && !rolloff_is_length(tool);
-  if (cutoff.empty() && !levels) return std::nullopt;
-  const std::string limit = cutoff.empty() ? "rolloff" : "cutoff";
-  if (period == Shape{})
-    throw UsageError(
-        limit, (cutoff.empty() ? "needs --periodic, or --model self-affine" : cutoff + ": needs --periodic") +
-                   "; otherwise the autocorrelation does not end, and a kernel must");
-  refuse_beside(tool, limit);
-  if (std::min(period.nx, period.ny) == 1)
-    throw UsageError(limit, (cutoff.empty() ? "" : cutoff + ": ") + "needs a surface: the waves of " +
-                                text(period) +
-                                " points run along one axis; draw a surface and take a row of it "
-                                "(asperity-filter --crop)");
-  const Band band = model.model == Model::stretched_exponential ? Band{} : band_of(tool, model, period);
-  check_memory(periodic_kernel_cost(period), static_cast<double>(tool.memory()), period);
-  return BandLimited(model, band, period);
-}
-
-Band KernelOptions::band_of(const Tool& tool, const EllipticTarget& model, Shape period) const {
-  Band out;
-  if (tool.given("--rolloff") && !rolloff_is_length(tool)) {
-    out.rolloff_x = rolloff[0].metres(model.spacing_x), out.rolloff_y = rolloff[1].metres(model.spacing_y);
-    const WaveBounds bounds = rolloff_bounds(model, period);
-    refuse_beyond("rolloff", rolloff[0], model.spacing_x, bounds, side_of_surface);
-    refuse_beyond("rolloff", rolloff[1], model.spacing_y, bounds, side_of_surface);
-    refuse_levelled(model, rolloff[0], wavelength);
-  }
-  if (cutoff.empty()) return out;
-  const SampledLength shortest_wave = parse_length("cutoff", cutoff);
-  const WaveBounds bounds = cutoff_bounds(model, out, period);
-  refuse_beyond("cutoff", shortest_wave, model.spacing_x, bounds,
-                bounds.most < rolloff_bounds(model, period).most ? "roll-off" : side_of_surface);
-  out.cutoff = shortest_wave.metres(model.spacing_x);
-  return out;
-}
-
-void KernelOptions::refuse_beside(const Tool& tool, const std::string& limit) const {
-  for (const char* option : {"lags", "formulation", "infeasible"})
-    if (given(tool, option))
-      throw UsageError(option, "cannot be combined with --" + limit + ", which leaves no equations to solve");
-  if (given(tool, "method") && !filters())
-    throw UsageError(
-        "method", method + ": cannot be combined with --" + limit + ", which leaves no equations to solve");
-  if (const std::string option = MarginalOptions::given(tool); !option.empty() && !filters())
-    throw UsageError(option, "cannot be combined with --" + limit +
-                                 ": the translation of heights makes waves beyond the band; "
-                                 "asperity-generate --method filter makes none");
-}
-
-void KernelOptions::refuse_model(const Tool& tool) const {
-  for (const char* option : {"model", "length", "length-level", "angle", "smoothness", "exponent", "hurst",
-                             "wavelength", "rolloff", "cutoff"})
-    if (given(tool, option))
-      throw UsageError(option, "cannot be combined with --acf, which gives the whole autocorrelation");
 }
 
 }  // namespace asperity::cli

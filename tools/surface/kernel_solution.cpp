@@ -5,11 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "acf/table.hpp"
 #include "core/words.hpp"
 #include "marginal/predistortion.hpp"
 #include "tools/cli/progress.hpp"
-#include "tools/surface/acf_table.hpp"
 #include "tools/surface/periodic_kernel.hpp"
 
 namespace asperity::cli {
@@ -17,67 +15,9 @@ namespace {
 
 constexpr double rounding = 1e-12;  // of a correlation
 
-// ---- what is wanted ----
-
-void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& options, Shape periodic) {
-  const EllipticTarget model = options.model(tool, out.spacing);
-  out.extent = options.length_option(tool);
-  out.request.target = model.target();
-  record_model(out.data.attributes, model);
-  out.band = options.band(tool, model, periodic);
-  if (!out.band) return;
-  out.period = periodic;
-  const Band& band = out.band->band();
-  Attributes& a = out.data.attributes;
-  if (band.cuts()) a.set("kernel_cutoff", band.cutoff / model.spacing_x);
-  if (band.levels())
-    a.set_values("kernel_rolloff", Values(std::vector<double>{band.rolloff_x / model.spacing_x,
-                                                              band.rolloff_y / model.spacing_y}));
-}
-
-void take_table(KernelProblem& out, const Tool& tool, const KernelOptions& options, Shape periodic) {
-  options.refuse_model(tool);
-  out.extent = "acf";
-  AcfTable table = read_acf_table(options.acf, tool.memory_bound());
-  tool.reads(options.acf, !table.dataset.variables.empty());
-  require_spacing(tool.given("--spacing") ? "spacing" : "size", "gives samples", out.spacing, "the table has",
-                  table.spacing, 1e-6);
-  if (table.left_out)
-    tool.warn("the lags of the table beyond " +
-              text({table.half_plane.rows(), table.half_plane.cols() / 2 + 1}) +
-              " hold no numbers and are ignored");
-  if (!out.spacing) out.spacing = table.spacing;
-  if (!out.has_height && std::isfinite(table.rms)) {
-    out.request.rms = table.rms;
-    out.has_height = true;
-  }
-  if (out.free()) out.period = table.period_on(periodic);
-  out.request.target = target_of_table(std::move(table.half_plane));
-  out.measured = std::move(table.heights);
-  out.data = std::move(table.dataset);
-  out.before = Inventory(out.data);
-  drop_surface(out.data, "kernel");
-  tool.settle(out.data);
-  out.data.attributes.set("kernel_target", "table");
-}
-
-// Zero at all lags but 0 along an axis with one point.
-Target target_on(const Target& target, Shape surface) {
-  const bool x = surface.nx == 1, y = surface.ny == 1;
-  auto narrow = [x, y](Shape lags) { return Shape{x ? 1 : lags.nx, y ? 1 : lags.ny}; };
-  Target out([=, row = target.row](double p, double q) {
-    double r = 0;
-    if ((!x || p == 0) && (!y || q == 0)) row(p, q, {&r, 1});
-    return r;
-  });
-  if (target.known) out.known = narrow(*target.known);
-  if (target.reach) out.reach = [=, reach = target.reach](double t) { return narrow(reach(t)); };
-  return out;
-}
-
 // ---- the solution ----
 
-// On the period of its table there is nothing to solve.
+// On the period of its table, where there are no equations to solve.
 Kernel periodic(KernelProblem& problem) {
   KernelRequest& request = problem.request;
   request.method = Method::spectral;
@@ -104,7 +44,7 @@ Kernel periodic(KernelProblem& problem) {
   return out;
 }
 
-// Nor where the spectrum is prescribed.
+// Of a prescribed spectrum, where there are none either.
 Kernel band_limited(const KernelProblem& problem) {
   Kernel out;
   const double rms = problem.request.rms;
@@ -122,35 +62,37 @@ Kernel band_limited(const KernelProblem& problem) {
   return out;
 }
 
-// Solved for the field below the heights, whose distribution goes into the dataset.
-Kernel predistorted(KernelProblem& problem) {
+// Solved for the field below the heights.
+SolvedKernel predistorted(KernelProblem& problem) {
   const Predistortion predistortion(problem.marginal->translation);
-  set_marginal(problem.data, *problem.marginal);
-  problem.data.attributes.set("kernel_least_acf", predistortion.map().lowest());
-  problem.data.attributes.set("kernel_hermite_tail", predistortion.map().tail());
-  return problem.period ? periodic(problem) : predistortion.solve(problem.request);
+  return {problem.period ? periodic(problem) : predistortion.solve(problem.request),
+          predistortion.map().lowest(), predistortion.map().tail()};
 }
 
-Kernel solved(const Tool& tool, KernelProblem& problem, bool aside) {
-  constexpr double before_drawing = 0.3;  // of the bar
-  KernelRequest& request = problem.request;
-  Progress progress(tool, aside ? before_drawing : 1);
-  StepTable steps(tool, {"lags", "step", "products", "residual"});
-  request.progress = [&](const KernelProgress& p) {
-    const std::string residual = fmt::format("{:.2e}", p.residual);
-    progress.iterate({.stage = {std::string(p.iteration), text(p.lags) + " lags"},
-                      .residual = p.residual,
-                      .tolerance = request.tolerance / 2,
-                      .spent = p.spent,
-                      .steps = static_cast<double>(p.products),
-                      .name = "products",
-                      .portion = 0.8});  // another iteration may follow
-    if (p.step == 0) tool.detail(std::string(p.iteration));
-    steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.products), residual});
-  };
-  if (problem.band) return band_limited(problem);
+SolvedKernel answer(KernelProblem& problem) {
+  if (problem.band) return {band_limited(problem)};
   if (problem.marginal) return predistorted(problem);
-  return problem.period ? periodic(problem) : solve_kernel(request);
+  return {problem.period ? periodic(problem) : solve_kernel(problem.request)};
+}
+
+// ---- its record ----
+
+void record_target(Attributes& a, const KernelProblem& problem) {
+  if (!problem.model) return a.set("kernel_target", "table");
+  const EllipticTarget& model = *problem.model;
+  record_model(a, model);
+  if (!problem.band) return;
+  const Band& band = problem.band->band();
+  if (band.cuts()) a.set("kernel_cutoff", band.cutoff / model.spacing_x);
+  if (band.levels())
+    a.set_values("kernel_rolloff", Values(std::vector<double>{band.rolloff_x / model.spacing_x,
+                                                              band.rolloff_y / model.spacing_y}));
+}
+
+void record_heights(Dataset& data, const Marginal& marginal, const SolvedKernel& kernel) {
+  set_marginal(data, marginal);
+  data.attributes.set("kernel_least_acf", kernel.least_acf);
+  data.attributes.set("kernel_hermite_tail", kernel.hermite_tail);
 }
 
 // ---- what is said of it ----
@@ -220,47 +162,31 @@ Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, 
 
 }  // namespace
 
-void KernelProblem::wrap(const Tool& tool, Shape surface) {
-  constexpr double left_out = 1e-2;  // of the tolerance
-  const bool profile = std::min(surface.nx, surface.ny) == 1;
-  if (!profile || band || period || !free() || !request.target.reach) return;
-  request.target =
-      target_of_table(periodic_correlation(tool, request.target, surface, left_out * request.acf_tolerance));
-  period = surface;
-}
-
-void KernelProblem::narrow(Shape surface) {
-  if (surface.nx != 1 && surface.ny != 1) return;
-  request.target = target_on(request.target, surface);
-  if (surface.nx == 1) request.lags.nx = std::min<Index>(request.lags.nx, 1);
-  if (surface.ny == 1) request.lags.ny = std::min<Index>(request.lags.ny, 1);
-}
-
-KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, const Spacing& spacing,
-                             Shape periodic) {
-  KernelProblem out;
-  out.spacing = spacing;
-  out.has_height = !std::isnan(options.rms);
-  KernelRequest& request = out.request;
-  request = options.request;
-  if (out.has_height) request.rms = options.rms;
-  request.method = options.filters() ? Method::newton_krylov : enum_named<Method>(options.method, "method");
-  request.infeasible = enum_named<InfeasiblePolicy>(options.infeasible, "infeasible");
-  request.memory = static_cast<double>(tool.memory());
-  if (!options.formulation.empty())
-    request.formulation = enum_named<Formulation>(options.formulation, "formulation");
-  if (!tool.given("--acf"))
-    take_model(out, tool, options, periodic);
-  else
-    take_table(out, tool, options, periodic);
-  if (out.band) request.method = Method::spectral;
-  if (!options.filters()) out.marginal = options.heights.wanted(tool, out.measured, request.infeasible);
-  request.check();
+SolvedKernel solve(const Tool& tool, KernelProblem& problem, bool aside) {
+  constexpr double before_drawing = 0.3;  // of the bar
+  KernelRequest& request = problem.request;
+  Progress progress(tool, aside ? before_drawing : 1);
+  StepTable steps(tool, {"lags", "step", "products", "residual"});
+  request.progress = [&](const KernelProgress& p) {
+    const std::string residual = fmt::format("{:.2e}", p.residual);
+    progress.iterate({.stage = {std::string(p.iteration), text(p.lags) + " lags"},
+                      .residual = p.residual,
+                      .tolerance = request.tolerance / 2,
+                      .spent = p.spent,
+                      .steps = static_cast<double>(p.products),
+                      .name = "products",
+                      .portion = 0.8});  // another iteration may follow
+    if (p.step == 0) tool.detail(std::string(p.iteration));
+    steps.row({text(p.lags), std::to_string(p.step), std::to_string(p.products), residual});
+  };
+  SolvedKernel out = answer(problem);
+  request.progress = {};
   return out;
 }
 
-KernelSolution solve(const Tool& tool, KernelProblem problem, bool aside) {
-  const Kernel kernel = solved(tool, problem, aside);
+KernelSolution record(const Tool& tool, KernelProblem problem, const SolvedKernel& kernel, bool aside) {
+  record_target(problem.data.attributes, problem);
+  if (problem.marginal) record_heights(problem.data, *problem.marginal, kernel);
   set_kernel(problem.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, problem.has_height,
                             problem.spacing, problem.marginal.has_value(), problem.period});
   record_kernel(problem.data.attributes, problem.request, kernel);

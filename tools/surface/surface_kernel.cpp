@@ -46,8 +46,9 @@ void require_model(const Tool& tool) {
 SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
   if (!tool.given("--acf")) require_model(tool);
   const bool sized = tool.given("--shape") && tool.given("--size");
-  KernelProblem problem = kernel_problem(tool, o.acf, sized ? spacing_of(o.shape, o.size) : std::nullopt,
-                                         o.periodic ? o.shape : Shape{});
+  KernelProblem problem =
+      kernel_problem(tool, o.acf, wanted_table(tool, o.acf),
+                     sized ? spacing_of(o.shape, o.size) : std::nullopt, o.periodic ? o.shape : Shape{});
   if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, problem.data);
   if (!o.periodic || problem.period != o.shape) problem.period.reset();
@@ -57,7 +58,8 @@ SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
     refuse_drawing(tool, o, problem.band ? o.shape : first_lags(problem.request));
   if (o.periodic) problem.wrap(tool, o.shape);
   HeightsWithAcf measured = problem.measured;
-  return {solve(tool, std::move(problem), true), {}, std::move(measured)};
+  const SolvedKernel kernel = solve(tool, problem, true);
+  return {record(tool, std::move(problem), kernel, true), {}, std::move(measured)};
 }
 
 // A surface that was drawn without --add kernel.

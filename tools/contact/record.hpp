@@ -1,12 +1,25 @@
-/// A contact as its dataset tells of it: what is needed to solve it again on coarser cells.
+/// A contact in its dataset: attributes and fields, a row for each load of a sweep, and the way back.
 #pragma once
 
 #include "contact/grid_error.hpp"
-#include "dataset/dataset.hpp"
 #include "stats/hybrid/slope_growth.hpp"
+#include "tools/cli/table.hpp"
+#include "tools/contact/press.hpp"
 
 namespace asperity::cli {
 
+/// The effective parameters, the result and its fields, in place of any former ones.
+void record(ContactScene& scene, const ContactOptions& options, const Contact& contact,
+            const GridFigures& grid);
+
+/// NAME_error of each quantity that is recorded.
+void record(Attributes& attributes, const GridErrors& errors);
+
+/// Adds the row of a load to the table of a sweep, whose columns come with the first.
+void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& contact,
+              const GridFigures& grid);
+
+/// What is needed to solve a contact again on coarser cells, from its dataset.
 struct RecordedContact {
   Grid grid;
   Field gap;  ///< undeformed [m]
