@@ -82,8 +82,6 @@ void infeasible(const StabilityTable& table) {
   table.refused("the same, automatic", "lengths far beyond the lags", [&] { solve_kernel(longer); });
   table.answered("the same, nearest", "lengths far beyond the lags",
                  [&] { return solution(with(longer, InfeasiblePolicy::nearest)); });
-  table.answered("the same, least squares", "lengths far beyond the lags",
-                 [&] { return solution(with(longer, InfeasiblePolicy::least_squares)); });
   table.answered("R = 1 at 15 x 15 lags, nearest", "a constant surface: equations of rank one", [] {
     return solution(
         with(request(Target([](double, double) { return 1.0; }), {15, 15}), InfeasiblePolicy::nearest));

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acf/conjugate_gradient.hpp"
 #include "acf/kernel_cost.hpp"
 #include "acf/kernel_evaluation.hpp"
-#include "acf/least_squares.hpp"
 #include "acf/minimum_norm_newton.hpp"
 #include "acf/newton_krylov.hpp"
 #include "acf/projections.hpp"
@@ -157,26 +155,6 @@ Attempt newton(const KernelProblem& problem) {
     out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
   else if (out.effort.steps == 0)
     out.effort.reason = "its windowed root is not a valid start";
-  return out;
-}
-
-Attempt conjugate_gradient(const KernelProblem& problem) {
-  std::vector<double> u = problem.equations->start();
-  Attempt out;
-  out.effort = solve_conjugate_gradient(*problem.equations, u, inside * problem.request.tolerance,
-                                        problem.observer("conjugate gradients"));
-  out.candidate = problem.evaluate(problem.equations->kernel(u), Answer::exact);
-  return out;
-}
-
-Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products) {
-  Equations& equations = *problem.equations;
-  Attempt out{.unknowns = start.empty() ? equations.start() : std::move(start)};
-  out.effort = minimise_squares(equations, out.unknowns,
-                                {.max_products = products, .on_step = problem.observer("least squares")});
-  out.effort.reason.clear();  // that there is a kernel only of least squares is known before
-  out.candidate = problem.evaluate(equations.kernel(out.unknowns), Answer::least_squares);
-  if (out.candidate && problem.solved_by(*out.candidate)) out.candidate->report.answer = Answer::exact;
   return out;
 }
 

@@ -3,28 +3,26 @@
 ///
 /// Before any iteration the spectrum of the cut target is checked. If it is negative beyond round-off under
 /// Fejér's window, no surface has it; if its negative part is a tenth of the whole, it is hopeless. Neither
-/// is iterated on. Otherwise Newton's iteration, which keeps to positive spectra, decides in a few steps,
-/// and least squares find the few kernels whose spectrum changes sign. A target that has no kernel then is
-/// refused, or met by a wider kernel, or by that of least squares, as KernelRequest::infeasible says:
+/// is iterated on. Otherwise Newton's iteration, which keeps to positive spectra, decides in a few steps. A
+/// target without a kernel is then refused or met by a wider one, as KernelRequest::infeasible says:
 ///
-///     attempt                         when
-///     wider kernel                    the target is smooth: its spectrum ends in round-off
-///     Newton                          always
-///     wider kernel                    Newton's iteration has no start, or the spectrum is barely negative
-///     least squares, a second         there is no kernel yet, as in all that follows
-///     wider kernel or least squares   as the policy says: the wider one meets the equations exactly where an
-///                                     autocorrelation with these lags exists
+///     attempt        when
+///     wider kernel   the target is smooth: its spectrum ends in round-off
+///     Newton         always
+///     wider kernel   Newton's iteration has no start, or the spectrum is barely negative; in any other case
+///                    once no more lags are tried
+///
+/// The wider kernel meets the equations exactly where an autocorrelation with these lags exists.
 ///
 /// The first attempt that solves the equations ends the search. Otherwise the candidate with the least error
 /// over all lags is kept or, for a table, the one with the least change. A target whose spectrum stays
 /// negative for any number of lags (such as a predistorted smooth one) gets the root of the positive part.
-/// Patir's equations have no wider kernel and fall back on least squares.
+/// Patir's equations have no wider kernel: without a solution they are refused.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "acf/equations.hpp"
 #include "acf/kernel.hpp"
@@ -62,18 +60,13 @@ struct KernelProblem {
 
 struct Attempt {
   std::optional<Kernel> candidate = {};
-  IterationResult effort = {};        ///< its reason, if any, says what kept the attempt from the solution
-  std::vector<double> unknowns = {};  ///< where least squares have come to
+  IterationResult effort = {};  ///< its reason, if any, says what kept the attempt from the solution
 };
 
 /// The root of the positive part of the spectrum, on a torus of four times the lags.
 Attempt spectral_root(const KernelProblem& problem);
 /// Newton's iteration from the windowed root, where it is worth its time: a candidate where it converges.
 Attempt newton(const KernelProblem& problem);
-/// The best result of least squares.
-Attempt conjugate_gradient(const KernelProblem& problem);
-/// Continues from `start`, or from the windowed root if `start` is empty, with at most this many products.
-Attempt least_squares(const KernelProblem& problem, std::vector<double> start, long products);
 /// A kernel of twice the lags by projections (acf/projections.hpp), and where equations are to be met exactly
 /// the least change that meets them (acf/minimum_norm_newton.hpp). For a table met within the tolerance, lags
 /// are added until the ends of the kernel do no harm, or until the `best` so far is good enough.

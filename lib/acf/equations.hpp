@@ -17,7 +17,7 @@
 ///
 /// PatirEquations. The kernel is a(k,l), 0 ≤ k < n, 0 ≤ l < m [1]. On a torus of 2n points, with the complex
 /// spectrum,
-///     F(a) = P |a^|² - R,      J v = 2 P Re(a^* v^),      J*f = 2 P (a^ Re f^),                         (3)
+///     F(a) = P |a^|² - R,      J v = 2 P Re(a^* v^),                                                    (3)
 ///     M v = P (a^ h^),  h = [v^/|a^|²]₊
 /// where [·]₊ keeps lags ≥ 0 and half of lag (0,0): a Wilson step [2]. The start is a = R. The equations say
 /// nothing of the lags (p,-q), which come out wrong by 0.07–0.27 σ²: no generator of isotropic surfaces.
@@ -25,7 +25,7 @@
 /// Symbols   α, a  coefficients   R  target [σ²]   n, m  number of lags   J  Jacobian   M ≈ J⁻¹
 /// Accuracy  round-off of the transforms, ε log2(Px Py).
 /// Cost      a transform there and back a residual, product or preconditioning (transform/zero_phase.hpp), M
-///           of (3) two; J* of (3) one.
+///           of (3) two.
 ///
 /// [1] N. Patir, A numerical procedure for random generation of rough surfaces, Wear 47 (1978) 263-277.
 /// [2] G. Wilson, Factorization of the covariance generating function of a pure moving average process,
@@ -60,8 +60,8 @@ inline void normalise(std::span<double> u, const std::vector<double>& w, double 
   for (double& x : u) x *= std::sqrt(variance / sum);
 }
 
-/// What the iterations ask of a formulation. Vectors hold one number an equation, or an unknown. J, its
-/// adjoint and M belong to the iterate of the last linearize().
+/// What the iterations ask of a formulation. Vectors hold one number an equation, or an unknown. J and M
+/// belong to the iterate of the last linearize().
 class Equations {
  public:
   virtual ~Equations() = default;
@@ -77,8 +77,6 @@ class Equations {
   virtual void linearize(std::span<const double> u) = 0;
   /// out = J v
   virtual void jacobian(std::span<const double> v, std::span<double> out) = 0;
-  /// out = J*v, ⟨J u, v⟩_w = ⟨u, J*v⟩_w.
-  virtual void adjoint(std::span<const double> v, std::span<double> out) = 0;
   /// v = M v
   virtual void precondition(std::span<double> v) = 0;
   /// All coefficients as (1) applies them.
@@ -114,7 +112,6 @@ class ZeroPhaseEquations : public Equations {
   bool residual(std::span<const double> u, std::span<double> f) override;
   void linearize(std::span<const double> u) override;
   void jacobian(std::span<const double> v, std::span<double> out) override;
-  void adjoint(std::span<const double> v, std::span<double> out) override { jacobian(v, out); }
   void precondition(std::span<double> v) override;
   Field kernel(std::span<const double> u) const override { return transform_->whole(u); }
 
@@ -135,7 +132,6 @@ class PatirEquations : public Equations {
   bool residual(std::span<const double> u, std::span<double> f) override;
   void linearize(std::span<const double> u) override;
   void jacobian(std::span<const double> v, std::span<double> out) override;
-  void adjoint(std::span<const double> v, std::span<double> out) override;
   void precondition(std::span<double> v) override;
   Field kernel(std::span<const double> u) const override;
 

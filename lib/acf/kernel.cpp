@@ -31,10 +31,7 @@ class KernelSolver {
   // The best kernel and its report, after the answer to an infeasible target if it is one.
   Kernel finish() {
     if (method() == Method::newton_krylov && !solved()) {
-      const long modest = solver::modest_budget(problem_.equations->count());
-      try_in_turn(
-          {[&] { return problem_.recognised ? Attempt{} : least_squares(problem_, unknowns_, modest); },
-           [&] { return answer(); }});
+      answer();
       const bool bounded = problem_.request.infeasible == InfeasiblePolicy::automatic;
       if (bounded && !(best_ && best_->report.residual <= bound())) problem_.refuse(excuse() + closest());
     }
@@ -48,10 +45,8 @@ class KernelSolver {
 
   void run() {
     if (method() == Method::spectral || problem_.of_no_surface) return choose(spectral_root(problem_));
-    if (method() == Method::conjugate_gradient) return choose(conjugate_gradient(problem_));
-    const InfeasiblePolicy policy = problem_.request.infeasible;
-    const bool may_widen = problem_.zero_phase && !problem_.recognised && policy != InfeasiblePolicy::error &&
-                           policy != InfeasiblePolicy::least_squares;
+    const bool may_widen =
+        problem_.zero_phase && !problem_.recognised && problem_.request.infeasible != InfeasiblePolicy::error;
     auto barely_negative = [this] {
       const bool no_start = effort_.steps == 0 && !effort_.converged;
       return !problem_.smooth && (no_start || problem_.feasibility.least > solver::nearly_smooth);
@@ -75,7 +70,6 @@ class KernelSolver {
     effort_.preconditionings += effort.preconditionings;
     effort_.equation_seconds += effort.equation_seconds;
     if (!effort.reason.empty()) effort_.reason = std::move(effort.reason);
-    if (!attempt.unknowns.empty()) unknowns_ = std::move(attempt.unknowns);
     if (attempt.candidate && (!best_ || problem_.better(*attempt.candidate, *best_)))
       best_ = std::move(attempt.candidate);
   }
@@ -91,14 +85,12 @@ class KernelSolver {
   }
 
   // What the policy makes of equations that no attempt has solved.
-  Attempt answer() {
+  void answer() {
     const InfeasiblePolicy policy = problem_.request.infeasible;
-    if (policy == InfeasiblePolicy::error) problem_.refuse(excuse());
-    if (policy == InfeasiblePolicy::least_squares || !problem_.zero_phase)
-      return least_squares(problem_, unknowns_, solver::large_budget(problem_.equations->count()));
+    if (policy == InfeasiblePolicy::error || !problem_.zero_phase) problem_.refuse(excuse());
     const bool close =
         policy == InfeasiblePolicy::automatic && best_ && best_->report.residual <= solver::negligible_change;
-    return close || problem_.of_no_surface ? Attempt{} : wider();
+    if (!close && !problem_.of_no_surface) choose(wider());
   }
 
   // Of the change that the automatic answer makes.
@@ -122,15 +114,12 @@ class KernelSolver {
   }
 
   void complete(KernelReport& report) const {
-    if (method() == Method::conjugate_gradient && !(report.residual <= problem_.request.tolerance))
-      report.answer = Answer::best;
-    const bool exact = report.answer == Answer::exact,
-               as_asked = report.answer == Answer::spectral || report.answer == Answer::best;
+    const bool exact = report.answer == Answer::exact;
     if (!exact) report.change = report.residual;
     static_cast<IterationResult&>(report) = effort_;
     if (exact)
       report.reason = "solved";
-    else if (!as_asked)
+    else if (report.answer != Answer::spectral)
       report.reason = excuse();
     judge(report, problem_.request);
     report.feasibility = problem_.feasibility.least;
@@ -139,7 +128,6 @@ class KernelSolver {
   KernelProblem problem_;
   std::optional<Kernel> best_;
   IterationResult effort_;              // of all attempts; the reason is that of the last which had one
-  std::vector<double> unknowns_;        // where least squares have come to
   std::optional<std::string> widened_;  // once there was a wider kernel: why none is wider still
 };
 

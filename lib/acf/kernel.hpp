@@ -40,35 +40,29 @@ enum class Formulation {
   patir       ///< one quadrant of coefficients: R is right at (p,q), not at (p,-q)
 };
 enum class Method {
-  newton_krylov,       ///< KINSOL's inexact Newton iteration
-  conjugate_gradient,  ///< descent on ‖F‖², the way of 2009
-  spectral             ///< the zero-phase root of the spectrum, no solve
+  newton_krylov,  ///< KINSOL's inexact Newton iteration
+  spectral        ///< the zero-phase root of the spectrum, no solve
 };
 /// What to do when no kernel of this size has the requested autocorrelation.
 enum class InfeasiblePolicy {
   automatic,  ///< the closest that has one, if it changes the target by 1e-2 (or `acf_tolerance`) at the most
   error,      ///< a ParameterError, or a DataError where the target is a table
-  nearest,    ///< the closest by projections, however far
-  least_squares  ///< the n × m kernel of least squares, however far
+  nearest     ///< the closest by projections, however far
 };
 /// What a kernel is to its equations.
 enum class Answer {
-  exact,          ///< their solution
-  wider,          ///< their solution, wider than the lags
-  nearest,        ///< that of the closest autocorrelation found
-  least_squares,  ///< the n × m kernel of least squares
-  spectral,       ///< the zero-phase root that was asked for
-  best            ///< what an iteration that did not converge has come to
+  exact,    ///< their solution
+  wider,    ///< their solution, wider than the lags
+  nearest,  ///< that of the closest autocorrelation found
+  spectral  ///< the requested zero-phase root
 };
 /// Whether an autocorrelation, or a distribution of heights, may be changed by so much of the variance.
 bool allows(InfeasiblePolicy policy, double change);
 
 constexpr EnumWords<3> enum_words(Formulation) { return {"symmetric", "oriented", "patir"}; }
-constexpr EnumWords<3> enum_words(Method) { return {"newton-krylov", "conjugate-gradient", "spectral"}; }
-constexpr EnumWords<4> enum_words(InfeasiblePolicy) { return {"auto", "error", "nearest", "least-squares"}; }
-constexpr EnumWords<6> enum_words(Answer) {
-  return {"exact", "wider", "nearest", "least-squares", "spectral", "best"};
-}
+constexpr EnumWords<2> enum_words(Method) { return {"newton-krylov", "spectral"}; }
+constexpr EnumWords<3> enum_words(InfeasiblePolicy) { return {"auto", "error", "nearest"}; }
+constexpr EnumWords<4> enum_words(Answer) { return {"exact", "wider", "nearest", "spectral"}; }
 
 /// A step of one of the iterations that the search for a kernel is made of.
 struct KernelProgress : IterationStep {
@@ -92,8 +86,8 @@ struct KernelRequest {
   void check() const;
 };
 
-/// With the counts of all iterations. `converged`: the last came to its end, and the errors are within
-/// `acf_tolerance`; `reason`: how it ended, and when it failed, what to do.
+/// With the counts of all iterations. `converged`: the errors are within `acf_tolerance`; `reason`: how the
+/// search ended, and when it failed, what to do.
 struct KernelReport : IterationResult {
   Answer answer = Answer::exact;
   double residual = 0;        ///< max |R - target| over the equations [σ²]

@@ -88,8 +88,7 @@ void measure_errors(Kernel& kernel) {
 
 void judge(KernelReport& report, const KernelRequest& request) {
   const bool open = request.lags == Shape{};
-  const double error = open ? report.error : report.change;
-  report.converged = report.answer != Answer::best && error <= request.acf_tolerance;
+  report.converged = (open ? report.error : report.change) <= request.acf_tolerance;
 }
 
 std::optional<Kernel> evaluate_kernel(const Target& target, Shape lags, Formulation formulation,

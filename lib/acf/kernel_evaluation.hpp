@@ -16,8 +16,7 @@ std::optional<Kernel> evaluate_kernel(const Target& target, Shape lags, Formulat
 Field half_plane_of(const Target& target, Shape lags);
 /// The errors of the report, anew from the tables.
 void measure_errors(Kernel& kernel);
-/// Sets `converged`: whether the iteration came to its end and its errors are within what the request
-/// tolerates.
+/// Sets `converged`: whether the errors are within what the request tolerates.
 void judge(KernelReport& report, const KernelRequest& request);
 
 }  // namespace asperity

@@ -78,14 +78,6 @@ void PatirEquations::jacobian(std::span<const double> v, std::span<double> out) 
   restrict_to(out, 2 / static_cast<double>(field_.size()));
 }
 
-void PatirEquations::adjoint(std::span<const double> v, std::span<double> out) {
-  load(v);
-  forward();
-  for (std::size_t i = 0; i < spectrum_.size(); ++i) spectrum_[i] = spectrum_[i].real() * transfer_[i];
-  backward();
-  restrict_to(out, 2 / static_cast<double>(field_.size()));
-}
-
 void PatirEquations::precondition(std::span<double> v) {
   const double middle = v[0];
   load(v);

@@ -24,10 +24,6 @@ inline constexpr double near = 1e-4, far = 1e-6, still_negative = 0.5;
 // Accepted changes of a target: [S].
 inline constexpr double largest_change = 1e-2;     ///< of a target without request [σ²]
 inline constexpr double negligible_change = 1e-6;  ///< below which no kernel is widened without request [σ²]
-/// Products to find a kernel whose spectrum changes sign, if there is one: one second at any size.
-inline long modest_budget(Index unknowns) { return std::clamp<long>(4'000'000 / unknowns, 100, 3000); }
-/// Products for requested least squares.
-inline long large_budget(Index unknowns) { return std::clamp<long>(100'000'000 / unknowns, 500, 20000); }
 /// The torus of projections relative to the lags, its growth, and its largest size: one second per step.
 inline constexpr Index least_torus = 4;
 inline constexpr Index wider_torus(Index torus) { return torus * 3 / 2; }

@@ -76,8 +76,8 @@ Kernel Predistortion::solve(const KernelRequest& heights) const {
     report.reason = bound;
   }
   translate(kernel, heights.target);
-  if ((report.answer == Answer::nearest || report.answer == Answer::least_squares) &&
-      !(report.change <= heights.acf_tolerance) && !allows(heights.infeasible, report.change))
+  if (report.answer == Answer::nearest && !(report.change <= heights.acf_tolerance) &&
+      !allows(heights.infeasible, report.change))
     refuse(heights.target, report.reason + "; the closest one found changes it by " + number(report.change) +
                                " (see `infeasible`)");
   judge(report, heights);

@@ -23,7 +23,6 @@ struct Squares : Equations {
   void jacobian(std::span<const double> v, std::span<double> out) override {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = 2 * at[i] * v[i];
   }
-  void adjoint(std::span<const double> v, std::span<double> out) override { jacobian(v, out); }
   void precondition(std::span<double> v) override {
     for (std::size_t i = 0; i < v.size(); ++i) v[i] /= 2 * at[i];
   }

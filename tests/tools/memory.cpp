@@ -48,10 +48,7 @@ TEST_CASE("a tool that is given too little memory by the system says so in one l
   for (const auto& [line, expected, step] :
        {Case{kernel + "90px", 0, 700}, Case{kernel + "90px --formulation oriented", 0, 900},
         Case{kernel + "30px --lags 60x60 --formulation patir", 0, 150},
-        Case{kernel + "9px --method conjugate-gradient --lags 100x100", 0, 500},
-        Case{kernel + "30px --method conjugate-gradient --lags 40x40 --tolerance 1e-13", 3, 130},
-        Case{kernel + "60px --method spectral", 0, 2000},
-        Case{kernel + "60px --lags 130x130 --infeasible least-squares", 0, 500},
+        Case{kernel + "60px --method spectral", 0, 2000}, Case{kernel + "60px --lags 60x60", 0, 500},
         Case{"asperity-generate -q -o o.nc --shape 400x400 --size 1mm --rq 1um --length 60px --seed 1 "
              "--threads 2",
              0, 900},

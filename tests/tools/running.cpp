@@ -162,8 +162,6 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
   const auto [command, told] = GENERATE(table<std::string, std::string>(
       {{draw + "-o a.nc", "Newton-Krylov, "},
        {draw + "--count 30 -o a_%d.nc", " of 30 surfaces"},
-       {"asperity-kernel --length 6px --lags 9x9 --acf-tolerance 0.01 --method conjugate-gradient -o a.nc",
-        "conjugate gradients, "},
        {press + "s.nc -o a.nc", "64x48"},
        {press.substr(0, press.find("--load")) + "--sweep 2kN,5kN s.nc", " of 2 loads"},
        {"asperity-stats s.nc p.nc", " of 2 surfaces"},
@@ -188,13 +186,8 @@ TEST_CASE("every iteration that a kernel takes has its progress, its name and it
           "[progress][contract][slow]") {
   const std::string cut =
       "asperity-kernel --length 31px --lags 31x31 -o cut.nc ";  // no kernel of these lags has it
-  const auto [options, names] = GENERATE(table<std::string, std::vector<std::string>>(
-      {{"", {"Newton-Krylov", "projections", "least change"}},
-       {"--infeasible least-squares", {"Newton-Krylov", "least squares"}},
-       {"--method conjugate-gradient", {"conjugate gradients"}}}));
-  const std::string line = shell(cut + options + " --progress always").error;
-  const std::string steps = shell(cut + options + " -v").error;
-  for (const std::string& name : names) {
+  const std::string line = shell(cut + "--progress always").error, steps = shell(cut + "-v").error;
+  for (const std::string name : {"Newton-Krylov", "projections", "least change"}) {
     CHECK_THAT(line, ContainsSubstring(name + ", "));
     CHECK_THAT(steps, ContainsSubstring(name + "\n"));
   }

@@ -100,7 +100,7 @@ std::string warnings(const Dataset& data) {
                     "quantities computed from them are not a solution.",
                     number("contact_residual"), number("contact_tolerance")));
   const std::string answer = a.text("kernel_answer");
-  if ((answer == "nearest" || answer == "least-squares") && a.number("kernel_change", 0) > 1e-6)
+  if (answer == "nearest" && a.number("kernel_change", 0) > 1e-6)
     warn(
         fmt::format("No kernel of this size has the requested autocorrelation; the autocorrelation was "
                     "changed by up to {} of the variance.",

@@ -87,8 +87,7 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
   tool.choice("--infeasible", infeasible, words(InfeasiblePolicy{}),
               "What to do if no kernel of --lags, or no height distribution, allows the target. auto: use a "
               "wider kernel, or the nearest feasible target if it differs by at most 1e-2; nearest: the "
-              "same, however large the difference; least-squares: the kernel with the least squared error; "
-              "error: refuse the target",
+              "same, however large the difference; error: refuse the target",
               group);
   tool.number("--tolerance", request.tolerance,
               "Largest residual of the equations, as a share of the variance", group);

@@ -112,7 +112,6 @@ std::string achieved(const KernelProblem& problem, const Kernel& kernel) {
 // Why a kernel is not as requested, from its record.
 std::string shortcoming(const Attributes& a) {
   const KernelReport report = recorded_report(a);
-  if (a.text("kernel_answer") == "best") return "the kernel has not converged: " + report.reason;
   const double tolerance = recorded_tolerance(a);
   const std::string error = number(report.error),
                     what = report.change > tolerance && report.change < report.error
@@ -130,8 +129,8 @@ std::string changed(const KernelProblem& problem, const Kernel& kernel) {
   const std::string by = " by up to " + number(change) + " of the variance";
   if (answer == Answer::spectral) return "the root of the spectrum changes the autocorrelation" + by;
   if (problem.period) return "the kernel of the period changes the autocorrelation" + by;
-  return "no kernel of " + text(kernel.lags) + " lags has this autocorrelation; the kernel of " +
-         (answer == Answer::nearest ? "the nearest feasible one" : "least squares") + " changes it" + by;
+  return "no kernel of " + text(kernel.lags) +
+         " lags has this autocorrelation; the kernel of the nearest feasible one changes it" + by;
 }
 
 void warn_of_errors(const Tool& tool, const KernelRequest& request, const Kernel& kernel) {

@@ -35,7 +35,7 @@ claim "No other method calls an answer exact that has a residual above 1e-10." a
 text <<'END'
 Conjugate gradients, the method of 2009, converge. For twice as many lags a side they need three times as many products, and
 Newton's method a quarter more: five times Newton's time at 7 × 7 lags, more than twenty times at 31 × 31. Anderson's fixed
-point, used only for this comparison, is as fast as Newton's method for even kernels. It fails on Patir's formulation at 31 × 31
-lags, and says so. The spectral root solves no equations. Its error over all lags is smaller than that of the exact solutions
+point is as fast as Newton's method for even kernels. It fails on Patir's formulation at 31 × 31 lags, and says so. Both exist
+only in this comparison. The spectral root solves no equations. Its error over all lags is smaller than that of the exact solutions
 of this cut, because it does not end at the prescribed lags; but it is exact at none of them.
 END

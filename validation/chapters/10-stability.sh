@@ -12,15 +12,16 @@ done
 claim "Every case with an answer keeps its bound, and every other case is refused." stability-1 1 '$c["holds"] == "yes"'
 
 text <<'END'
-Targets that have no kernel, or barely one, and the answer: exact, a wider kernel, the nearest feasible autocorrelation, least
-squares, or a refusal.
+Targets that have no kernel, or barely one, and the answer: exact, a wider kernel, the nearest feasible autocorrelation, or a
+refusal. The rows `least-squares` show what a kernel of the same lags achieves at best; no tool offers it.
 END
 table acf_error_time-3 1 case difficulty infeasible outcome residual error kernel seconds
 claim "Every extreme target called exact or wider has a residual of at most 1e-10." acf_error_time-3 \
   '$c["outcome"] == "exact" || $c["outcome"] == "wider"' '$c["residual"] <= 1e-10'
 text <<'END'
 If its spectrum shows that a target is infeasible, it is refused before any iteration; the residual would show it only after a
-thousand. A target cut at 10 % has no kernel of its own size from 17 × 14 lags on, but an exact one four times as wide.
+thousand. A target cut at 10 % has no kernel of its own size from 17 × 14 lags on, and Newton's iteration finds none from 13 × 13 lags on;
+but there is an exact one four times as wide.
 
 Round-off of the stress, against long double: elongated cells, depths far from the cell size, pressures over twelve decades.
 END
