@@ -35,7 +35,7 @@ struct LayerMaximum {
 /// Whether the field shows the steps between the cells, so that its values at their centres alone count.
 bool at_centres(const Grid& grid, double z);
 
-/// The least value at depth z, of layers of these cells, from which a climb may lead above `top`. Parabolas
+/// The least value at depth z, of layers of these cells, from which a maximum may lie above `top`. Parabolas
 /// tell what lies between two layers to 3 % (of the largest tension, which has creases, 15 %), and what lies
 /// between the points of a layer, a times its depth apart, to 10 a² % (core/calibration.hpp).
 double least_start(Criterion of, const Grid& cells, double z, double top);

@@ -71,7 +71,7 @@ class Search {
     for (std::size_t k = wide; k < depths_.size();) k = whole_layers(k, depths_.size());
     for (std::size_t k = 0; k < shallow;) k = whole_layers(k, shallow);
     if (shallow < wide) shallow_layers(std::vector<double>(at(shallow), at(wide)));
-    return climbed();
+    return refined();
   }
 
  private:
@@ -180,33 +180,29 @@ class Search {
            std::abs(m.rise - before.rise) <= alike;
   }
 
-  // Those of the field by its value at their place, so that what parabolas leave is of second order; they are
-  // sorted.
-  void look_closely(const PeakClimber& climber) {
+  // Those that may lead above the others' values in the field, sorted by what they may reach.
+  std::vector<PeakFinder::Estimate> looked_at(const PeakFinder& finder) {
+    std::ranges::stable_sort(starts_, std::ranges::greater{}, &LayerMaximum::value);
     double top = -std::numeric_limits<double>::infinity();
-    std::vector<LayerMaximum> kept;
+    std::vector<PeakFinder::Estimate> out;
     const LayerMaximum* before = nullptr;
-    for (const LayerMaximum& of : starts_) {
-      LayerMaximum m = of;
+    for (const LayerMaximum& m : starts_) {
       if (m.value + 2 * m.rise < start(m, top) || (before && recurs(m, *before)) || on_a_slope(m)) continue;
-      before = &of;
-      if (!at_centres(m)) m.value = climber.value(m.x, m.y, m.z);
-      top = std::max(top, m.value);
-      kept.push_back(m);
+      before = &m;
+      out.push_back(finder.estimate({m.value, m.x, m.y, m.z}));
+      top = std::max(top, out.back().at.value);
     }
-    starts_ = std::move(kept);
+    std::ranges::stable_sort(out, std::ranges::greater{}, &PeakFinder::Estimate::reaches);
+    return out;
   }
 
-  StressMaximum climbed() {
-    std::ranges::stable_sort(starts_, std::ranges::greater{}, &LayerMaximum::value);
-    const PeakClimber climber(body_, wanted_.of, wanted_.below, solver_.threads());
-    look_closely(climber);
-    std::ranges::stable_sort(starts_, std::ranges::greater{}, &LayerMaximum::value);
+  StressMaximum refined() {
+    const PeakFinder finder(body_, wanted_.of, wanted_.below, solver_.threads());
     StressPlace best{-std::numeric_limits<double>::infinity(), 0, 0, 0};
-    for (const LayerMaximum& m : starts_) {
-      if (m.value + 2 * m.rise < start(m, best.value)) continue;
-      const StressPlace top = climber.climb({m.value, m.x, m.y, m.z}, best.value);
-      if (top.value > best.value) best = top;
+    const double margin = body_.grid.periodic.both() ? estimate_margin_of_waves : estimate_margin;
+    for (const auto& [from, reaches] : looked_at(finder)) {
+      if (reaches + margin * std::abs(reaches) < best.value) break;
+      if (const StressPlace top = finder.find(from, best.value); top.value > best.value) best = top;
     }
     const Grid& g = body_.grid;
     auto inside = [](double place, double length, bool periodic) {

@@ -6,8 +6,8 @@
 ///     z_k = max(¼ h, z_0) √2^k,  h = min(Δx, Δy),  down to half the longer side of the loaded region,  (1)
 /// for the local maxima of the layers: where z < 12 Δ, Δ = max(Δx, Δy), in the tiles of cells whose bound
 /// exceeds what was found (stress/shallow.hpp), below that on cells as wide as a third of the depth
-/// (stress/layer_maxima.hpp). From those that may lead above the largest (least_start) the field itself is
-/// climbed (stress/peak.hpp). From one longer side of a cell on, the maximum is that of the field at any
+/// (stress/layer_maxima.hpp). Those that may lead above the largest (least_start) are refined at points of
+/// the field (stress/peak.hpp). From one longer side of a cell on, the maximum is that of the field at any
 /// place; above it, where the field shows the steps between the cells, that at their centres. Beyond the
 /// centres of the outermost cells of a free domain nothing is looked at.
 ///
@@ -15,19 +15,17 @@
 /// 0.305 on), at a long cylinder's or a wave's middle where ν is small (below 0.19 and 0.15), and at the
 /// edge of a Hertz contact where ν < -0.34; the largest tension lies there, too, with friction or without.
 ///
-/// Accuracy  of the search, of the problem of the cells: 1e-6 of the value. So against brute force in 300
-///           random bodies (caps, rough patches, single cells; 24 to 96 cells a side, cells 1 : 20 to 20 : 1
-///           long, free and periodic, all criteria, with friction and limit pressures). What least_start
-///           allows is experience, not a bound: one further body, periodic both ways, has a maximum 1.5 %
-///           higher that the search misses.
-/// Cost      one thread, below a rough contact (exponential, 0.4 μm, 3 mm): 0.2 s at 512 × 512 cells, 0.5 s
-///           at 1024², 1.4 s at 2048², less than the contact; a smooth one 0.26 s at 1024². Memory: 5 doubles
-///           a cell, the pressure's among them. Grids below 64 cells a side, cells longer than twice their
-///           width, and periods that are no multiple of four take whole layers, of the full cells above 6 Δ;
-///           so does a load periodic in both directions above Δ. Where cells repeat along one axis alone a
-///           point takes 20 μs a loaded cell (stress/points.hpp); along both, 27 ms at 1024² cells,
-///           so that many nearly equal maxima, as at a limit pressure, take 8 s there. Maxima that recur are
-///           climbed once.
+/// Accuracy  of the search, of the problem of the cells: 1e-6 of the value. So beside an earlier search in
+///           420 random bodies (caps, rough patches, single cells; 24 to 128 cells a side, cells 1 : 20 to
+///           20 : 1 long, free and periodic, all criteria, with friction and limit pressures); one, which is
+///           periodic, has a maximum 1.5 % higher that both miss. What least_start allows is experience.
+/// Cost      one thread, below a rough contact (exponential, 0.4 μm, 3 mm): about the contact's time, at a
+///           limit pressure with its many nearly equal maxima twice. Memory: 6 doubles a cell, the
+///           pressure's among them. Grids below 64 cells a side, cells longer than twice their width, and
+///           periods that are no multiple of four take whole layers, of the full cells above 6 Δ; so does a
+///           load periodic in both directions above Δ. Where cells repeat along one axis alone a point
+///           takes 20 μs a loaded cell (stress/points.hpp); along both, 27 ms at 1024² cells. Maxima that
+///           recur are refined once.
 #pragma once
 
 #include <functional>

@@ -47,6 +47,8 @@ class StressPoints {
   /// distance 0 (stress/influence.hpp), which is right to order 2 where the cells are those of a smooth load.
   bool singular(double x, double y, double z) const;
 
+  const LoadedBody& body() const { return body_; }
+
  private:
   struct Axis;
   std::array<Axis, 2> axes(double x, double y) const;  ///< of a point that is not below waves

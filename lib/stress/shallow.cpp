@@ -58,7 +58,7 @@ class Tiles {
   struct Tile {
     Index i, j;        // first cell
     double low, high;  // m, M of (2)
-    double top = 0;    // that a climb from here may reach
+    double top = 0;    // that a maximum from here may reach
   };
   struct Work {
     AlignedVector<double> cells = AlignedVector<double>(torus * torus), values = cells;

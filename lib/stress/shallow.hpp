@@ -38,8 +38,8 @@ class ShallowSearch {
   /// From which depth on layers of wider cells take over [m].
   static double deepest(const Grid& grid);
 
-  /// All local maxima at these depths, rising, above deepest(), from which a climb may lead above the largest
-  /// value here and above `known` (least_start).
+  /// All local maxima at these depths, rising, above deepest(), from which a refinement may lead above the
+  /// largest value here and above `known` (least_start).
   static std::vector<LayerMaximum> maxima(const LoadedBody& body, Criterion of,
                                           const std::vector<double>& depths, double known, int threads);
 };

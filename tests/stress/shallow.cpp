@@ -125,7 +125,7 @@ TEST_CASE("of long cells no column bears more than the largest stress", "[maximu
   }
 }
 
-// The search is good to 1e-6 of either. Without its rule for maxima that recur it climbs all 64.
+// The search is good to 1e-6 of either. Without its rule for maxima that recur it refines all 64.
 TEST_CASE("the largest stress of a pattern is that of one period", "[maximum][law]") {
   for (double friction : {0.0, 0.3}) {
     auto largest = [&](Index periods) {
