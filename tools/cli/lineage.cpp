@@ -60,13 +60,13 @@ void erase_variables(Dataset& data, Predicate gone) {
 std::string in_short(const Names& names) {
   constexpr std::ptrdiff_t few = 2;
   std::string line;
-  Gone told;
+  Gone shortened;
   for (const std::string& name : names) {
     const KnownResult* const result = result_of(name);
-    if (has(told, result)) continue;
+    if (has(shortened, result)) continue;
     const auto all = std::ranges::count(names, result, [](const std::string& n) { return result_of(n); });
     const bool many = result && all > few;
-    if (many) told.push_back(result);
+    if (many) shortened.push_back(result);
     line += line.empty() ? "" : ", ";
     line += many ? std::string(result->prefix) + "*" : name;
   }

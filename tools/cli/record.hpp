@@ -20,7 +20,7 @@
 namespace asperity::cli {
 
 std::string version();    ///< Asperity's
-std::string libraries();  ///< behind the tools, with their versions
+std::string libraries();  ///< that the tools use, with their versions
 std::string source();     ///< "Asperity VERSION (libraries)", the dataset's attribute
 
 /// An argument as a shell would need it.
@@ -84,7 +84,7 @@ void record_error(Attributes& a, const Quantity<T>& quantity, const T& errors) {
   if (!std::isnan(error) && a.find(quantity.name.text)) a.set(error_name(quantity.name.text), error);
 }
 
-/// Each quantity, and behind it its error.
+/// Each quantity, followed by its error.
 template <class T, std::size_t n>
 void record(Attributes& a, const Quantity<T> (&quantities)[n], const T& from, const T& errors) {
   for (const Quantity<T>& quantity : quantities) record(a, quantity, from), record_error(a, quantity, errors);

@@ -197,7 +197,7 @@ void ContactOptions::check_added() const {
     throw UsageError("add", "contact_ratios needs a rough surface, not --smooth");
 }
 
-// What needs the whole field at once, or other contacts beside one.
+// Several ranks share one contact: what needs the whole field at once, or further contacts, is refused.
 void ContactOptions::check_ranks(const Tool& tool) {
   ranks = &tool.ranks();
   if (ranks->count() == 1) return;

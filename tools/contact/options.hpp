@@ -1,4 +1,4 @@
-/// What asperity-contact can be told, checked as far as the command line alone allows.
+/// The options of asperity-contact, checked as far as the command line alone allows.
 #pragma once
 
 #include <algorithm>

@@ -190,7 +190,7 @@ ContactScene scene_with(const ContactOptions& o, Dataset data, const Grid& grid,
 
 std::vector<Doubt> doubts(const ContactScene& scene) {
   std::vector<Doubt> out = doubts(scene.growth);
-  if (constexpr double told = 0.01; scene.roughness.plateaus > told)
+  if (constexpr double many = 0.01; scene.roughness.plateaus > many)
     out.push_back(
         {"has summits that are plateaus",
          fmt::format("{:.2g} % of the summits are plateaus of equal heights, as of heights in coarse steps: "

@@ -30,10 +30,10 @@ struct ContactScene {
 
 /// Of a dataset with the first body, unless it is smooth. Throws ParameterError when the requested boundary
 /// does not go with it, DataError when the counter body, which is read here, lies on another grid. Of several
-/// ranks the first alone learns what the whole gap tells, for it speaks and writes.
+/// ranks only the first measures the whole gap, because it warns and writes.
 ContactScene scene_of(const Tool& tool, const ContactOptions& options, Dataset data);
 
-/// Of a gap on these cells, with what its roughness tells.
+/// Of a gap on these cells, which is measured too.
 ContactScene scene_with(const ContactOptions& options, Dataset data, const Grid& grid, Field gap);
 /// Whether a contact of so many cells fits into --memory.
 bool fits(const Tool& tool, Shape shape);

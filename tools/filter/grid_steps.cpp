@@ -10,17 +10,16 @@
 #include "core/words.hpp"
 #include "stats/filter/resampling.hpp"
 #include "stats/filter/rotation.hpp"
+#include "stats/filter/seam.hpp"
 #include "tools/cli/grid_words.hpp"
-#include "tools/filter/seam_step.hpp"
-#include "tools/filter/step.hpp"
+#include "tools/filter/chain.hpp"
 #include "transform/refinement.hpp"
 
 namespace asperity::cli {
 namespace {
 
-Account now_has(const Grid& grid) { return {"now " + described(grid)}; }
+StepReport now_has(const Grid& grid) { return {"now " + described(grid)}; }
 
-// The factor, and what the steps that add points need.
 void refuse_holes(const char* option, const Surface& surface) {
   if (surface.heights.hasNaN())
     throw UsageError(option, "the map has missing points: fill them first (--fill laplace)");
@@ -142,7 +141,7 @@ Act respace(const std::string& value) {
 // ---- turned, mirrored ----
 
 Act rotate(const std::string& value) {
-  return [angle = parse_angle("rotate", value)](const Tool& tool, Surface& surface) -> Account {
+  return [angle = parse_angle("rotate", value)](const Tool& tool, Surface& surface) -> StepReport {
     const Grid grid = rotated_grid(surface.grid, angle);
     constexpr double taken = 32;  // bytes a point, with the map that is turned and as it is encoded
     tool.require_memory(taken * static_cast<double>(grid.shape.cells()), "rotate",
@@ -158,10 +157,74 @@ Act rotate(const std::string& value) {
 Act mirror(const std::string& value) {
   const bool x = value == "x" || value == "both", y = value == "y" || value == "both";
   if (!x && !y) refuse("mirror", value, "is none of x|y|both");
-  return [x, y](const Tool&, Surface& surface) -> Account {
+  return [x, y](const Tool&, Surface& surface) -> StepReport {
     if (x) surface.heights = mirrored(surface.heights, Axis1D::x);
     if (y) surface.heights = mirrored(surface.heights, Axis1D::y);
     return {x && y ? "x and y reversed" : x ? "x reversed" : "y reversed"};
+  };
+}
+
+// ---- the seam: "x", "both,tilt", "y,taper=0.1mm" ----
+
+enum class Closing { none, tilt, taper };
+
+struct Seam {
+  bool x = false, y = false;
+  Closing how = Closing::none;
+  SampledLength length = {};
+};
+
+Seam seam_of(const std::string& value) {
+  const char* option = "make-periodic";
+  const std::vector<std::string> words = split(value, ',');
+  const std::string& axis = words.front();
+  if (words.size() > 2 || (axis != "x" && axis != "y" && axis != "both"))
+    refuse(option, value, "is not x, y or both, with ,tilt or ,taper=LENGTH after it");
+  Seam out{.x = axis != "y", .y = axis != "x"};
+  if (words.size() == 1) return out;
+  const std::string taper = "taper=";
+  if (words[1] == "tilt") {
+    out.how = Closing::tilt;
+  } else if (words[1].starts_with(taper)) {
+    out.how = Closing::taper;
+    out.length = parse_length(option, words[1].substr(taper.size()));
+  } else {
+    refuse(option, words[1], "is neither tilt nor taper=LENGTH");
+  }
+  return out;
+}
+
+// "the jump at the seam of x is 0.3um rms and 1.2um at most, steps inside 0.1um rms"
+std::string jump(const Surface& surface, Axis1D axis) {
+  const SeamJump at = seam_jump(surface.heights, axis);
+  const auto of = [&](double height) { return figure(height, surface.units); };
+  return fmt::format("the jump at the seam of {} is {} rms and {} at most, steps inside {} rms",
+                     axis == Axis1D::x ? "x" : "y", of(at.rms), of(at.largest), of(at.step_rms));
+}
+
+std::string close(Surface& surface, const Seam& seam, Axis1D axis) {
+  bool& periodic = axis == Axis1D::x ? surface.grid.periodic.x : surface.grid.periodic.y;
+  const Field former = surface.heights;
+  std::string words = jump(surface, axis);
+  if (seam.how == Closing::tilt) surface.heights = closed_by_tilt(surface.heights, axis);
+  if (seam.how == Closing::taper) {
+    const double spacing = axis == Axis1D::x ? surface.grid.dx : surface.grid.dy;
+    surface.heights = closed_by_taper(surface.heights, surface.grid, axis, seam.length.metres(spacing));
+  }
+  if (seam.how != Closing::none)
+    words += "; " + removed(former, surface.heights, surface.units) + "; now " + jump(surface, axis);
+  periodic = true;
+  return words;
+}
+
+Act make_periodic(const std::string& value) {
+  return [seam = seam_of(value)](const Tool&, Surface& surface) -> StepReport {
+    std::string words;
+    if (seam.x) words = close(surface, seam, Axis1D::x);
+    if (seam.y) words += (words.empty() ? "" : "; ") + close(surface, seam, Axis1D::y);
+    if (seam.how == Closing::taper)
+      words += "; heights are lower there, so that errors of parameters are too large";
+    return {words, true};
   };
 }
 
@@ -189,7 +252,13 @@ std::vector<StepKind> grid_steps() {
        "quarter turns",
        group, rotate},
       {"mirror", "x|y|both", "Reverse the order of the points along x, y or both", group, mirror},
-      {"make-periodic", "AXIS[,HOW]", seam_text, group, make_periodic}};
+      {"make-periodic", "AXIS[,HOW]",
+       "Let the map repeat along AXIS: x, y or both. A note gives the jump at the seam. HOW makes it "
+       "smaller; "
+       "tilt: "
+       "by a tilt that removes its mean, taper=LENGTH: by fading the heights to their mean within LENGTH of "
+       "both ends; x,tilt",
+       group, make_periodic}};
 }
 
 }  // namespace asperity::cli

@@ -5,7 +5,7 @@
 #include "dataset/layout.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/measure/field_options.hpp"
-#include "tools/surface/marginal_dataset.hpp"
+#include "tools/surface/marginal.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/measure/preparation_words.hpp"
-#include "tools/surface/marginal_dataset.hpp"
+#include "tools/surface/marginal.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -132,7 +132,7 @@ void StressOptions::check_content(const Tool& tool) const {
   refuse_if(!searches && tool.given("--below"), "below", "needs --maximum");
 }
 
-// What needs the whole field at each place, or other contacts beside one.
+// Several ranks share one body: what needs the whole field at each place, or further contacts, is refused.
 void StressOptions::check_ranks(const Tool& tool) const {
   if (tool.ranks().count() == 1) return;
   const std::string why = fmt::format("by {} ranks: start one process", tool.ranks().count());

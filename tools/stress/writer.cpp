@@ -42,9 +42,9 @@ class RowsToFirst {
     std::ranges::copy(values, kept_[output].row((i - own_.first) % LayerWork::rows_at_a_time).data());
     filled_[output] = true;
   }
-  /// Behind each rank's rows from `begin` on: take(output, i, values) on the first, for those of the others.
+  /// After each rank's rows from `begin` on: take(output, i, values) on the first, for those of the others.
   template <class Take>
-  void tell(Index begin, Index columns, Take take) {
+  void send(Index begin, Index columns, Take take) {
     std::vector<std::size_t> filled;
     for (std::size_t k = 0; k < filled_.size(); ++k)
       if (filled_[k].exchange(false)) filled.push_back(k);
@@ -53,12 +53,12 @@ class RowsToFirst {
     const auto again = std::ranges::unique(filled);
     filled.erase(again.begin(), again.end());
     for (const std::size_t k : filled)
-      for (int r = 1; r < ranks_.count(); ++r) tell(k, r, begin, columns, take);
+      for (int r = 1; r < ranks_.count(); ++r) send(k, r, begin, columns, take);
   }
 
  private:
   template <class Take>
-  void tell(std::size_t k, int from, Index begin, Index columns, Take take) const {
+  void send(std::size_t k, int from, Index begin, Index columns, Take take) const {
     const Extent theirs = rows_.of(from);
     const Index count = std::clamp<Index>(theirs.count - begin, 0, LayerWork::rows_at_a_time);
     const auto all = static_cast<std::size_t>(ranks_.count());
@@ -175,35 +175,35 @@ void StressWriter::write_again(DatasetStream& out, std::size_t wanted) {
 }
 
 void StressWriter::layers(const Take& take, const std::function<void(Index layer)>& finished) {
-  const bool first_pass = done_ == 0, told = tool_.verbose() && first_pass;
+  const bool first_pass = done_ == 0, noted = tool_.verbose() && first_pass;
   LayerRows rows(selection_, solver_);
   RowsToFirst to_first(solver_, outputs_.size());
   auto compute = [&](Index l, StressSolver::Workspace& work) {
     auto take_row = [&](std::size_t k, Index i, std::span<double> values) {
-      if (told && k == 0) note_largest(l, values);
+      if (noted && k == 0) note_largest(l, values);
       if (hides(k))
         for (double& v : values) v = std::abs(v) >= scene_.least ? v : fill;
       if (first_pass) survey(k, values);
       to_first.first() ? take(k, l, i, values) : to_first.keep(k, i, values);
     };
     rows.compute(l, depths_[size(l)], work, take_row, [&](Index begin) {
-      to_first.tell(begin, shape_.ny, [&](std::size_t k, Index i, Values values) { take(k, l, i, values); });
+      to_first.send(begin, shape_.ny, [&](std::size_t k, Index i, Values values) { take(k, l, i, values); });
     });
   };
-  auto behind = [&](Index l) {
+  auto after = [&](Index l) {
     if (finished && to_first.first()) finished(l);
   };
   solver_.each_layer(depths_, compute, [&](Index begin, Index end) {
     for (Index l = begin; l < end; ++l) {
-      tell(size(l));
-      behind(l);
+      report(size(l));
+      after(l);
     }
   });
   const std::vector<double> nothing(size(shape_.ny), fill);
   for (auto l = static_cast<Index>(depths_.size()); l < static_cast<Index>(scene_.depths.size()); ++l) {
     for (std::size_t k = 0; k < outputs_.size() && to_first.first(); ++k)
       for (Index i = 0; i < shape_.nx; ++i) take(k, l, i, nothing);
-    behind(l);
+    after(l);
   }
   if (first_pass) agree_on_ranges();
 }
@@ -235,7 +235,7 @@ void StressWriter::note_largest(Index layer, Values values) {
   largest_[size(layer)] = std::max(largest_[size(layer)], top);
 }
 
-void StressWriter::tell(std::size_t l) {
+void StressWriter::report(std::size_t l) {
   ++done_;
   if (tool_.verbose()) largest_[l] = asperity::largest(*scene_.body.ranks, largest_[l]);
   progress_.count(static_cast<double>(done_), static_cast<double>(passes_ * depths_.size()),
@@ -245,7 +245,7 @@ void StressWriter::tell(std::size_t l) {
                 fmt::format("{:.6g}", largest_[l] * 1e-6)});
 }
 
-// The outputs behind everything else, with what is known of them by now.
+// The outputs come last, with what is known of them by now.
 void StressWriter::record() {
   std::vector<std::string> dimensions{"z", "x", "y"};
   std::string plane;

@@ -10,7 +10,7 @@
 #include "dataset/layout.hpp"
 #include "tools/cli/dataset_stream.hpp"
 #include "tools/cli/progress.hpp"
-#include "tools/stress/layer_rows.hpp"
+#include "tools/stress/quantity.hpp"
 #include "tools/stress/scene.hpp"
 
 namespace asperity::cli {
@@ -34,14 +34,14 @@ class StressWriter {
   void write_all(const std::function<void(Attributes&)>& finish);
   /// How often all layers are computed, by the word of the first rank.
   Index agreed_passes(Index of_the_first) const;
-  /// Every row of every layer, and what there is to do behind each layer; on the first rank.
+  /// Every row of every layer, and what there is to do after each layer; on the first rank.
   void layers(const Take& take, const std::function<void(Index layer)>& finished = {});
   void agree_on_ranges();
   bool hides(std::size_t output) const { return scene_.least > 0 && outputs_[output].is_stress(); }
   void survey(std::size_t output, Values values);
   void note_largest(Index layer, Values values);
-  /// Of layer l.
-  void tell(std::size_t l);
+  /// The progress, after layer l.
+  void report(std::size_t l);
   void record();
   void write_file(DatasetStream& out);
   void write_again(DatasetStream& out, std::size_t output);
@@ -55,7 +55,7 @@ class StressWriter {
   Shape shape_;                  ///< of a layer
   std::vector<double> depths_;   ///< where values large enough to be kept can be: the first ones
   std::vector<Range> ranges_;    ///< of each output
-  std::vector<double> largest_;  ///< of each layer, where that is told
+  std::vector<double> largest_;  ///< of each layer, for --verbose
   std::mutex mutex_;             ///< of both
   Progress progress_;
   StepTable steps_;

@@ -14,7 +14,7 @@
 #include "dataset/dataset.hpp"
 #include "dataset/memory_bound.hpp"
 #include "tools/surface/kernel_dataset.hpp"
-#include "tools/surface/marginal_dataset.hpp"
+#include "tools/surface/marginal.hpp"
 
 namespace asperity::cli {
 
@@ -25,7 +25,7 @@ struct AcfTable {
   double rms = NAN;                  ///< [m], where it is known
   HeightsWithAcf heights = {};       ///< whose autocorrelation it is
   std::optional<Shape> period = {};  ///< of a periodic surface, where the table has all of its lags
-  bool any_period = false;           ///< a text, which cannot tell its surface's
+  bool any_period = false;           ///< a text, which does not say its surface's
   Dataset dataset;  ///< what came with the table, less what belongs to the surface that it was taken from
 
   /// The period; of a text these periodic points, where it has all of their lags.

@@ -23,8 +23,7 @@ struct Layer {
 };
 
 Range range_of(const RunningMoments& moments) {
-  if (!std::isfinite(moments.mean()))
-    return {moments.mean(), moments.mean()};  // whatever extremes stand beside it
+  if (!std::isfinite(moments.mean())) return {moments.mean(), moments.mean()};  // whatever the extremes are
   return moments.low() <= moments.high() ? Range{moments.low(), moments.high()} : Range{0, 0};
 }
 

@@ -1,7 +1,7 @@
 /// One surface, drawn and written: whole in memory where it fits, else strip by strip as it is made.
 ///
 /// The range stands in front of the heights, and `exact_rq` needs their moments first. A surface in memory
-/// tells both; one that does not fit is drawn twice. A regular file needs no first pass for the range alone:
+/// gives both; one that does not fit is drawn twice. A regular file needs no first pass for the range alone:
 /// it is entered in the end. The bytes are the same each way.
 #pragma once
 

@@ -85,12 +85,12 @@ std::string GenerateOptions::output_name(const Tool& tool, int k) const {
 }
 
 Synthesis GenerateOptions::synthesis(const Tool& tool, Field kernel_values, Pointwise translation,
-                                     std::size_t beside, int at_once) const {
+                                     std::size_t held, int at_once) const {
   const auto share = static_cast<std::size_t>(at_once);
   return {std::move(kernel_values),
           shape,
           {periodic, Summation::cheapest, at_once > 1 ? 1 : tool.thread_count(), tool.memory() / share,
-           std::move(translation), beside / share}};
+           std::move(translation), held / share}};
 }
 
 }  // namespace asperity::cli

@@ -35,9 +35,9 @@ struct GenerateOptions {
   std::int64_t number(int k) const { return std::int64_t{first} + k; }
   std::string output_name(const Tool& tool, int k) const;
 
-  /// `beside` are bytes that stand in memory meanwhile; of several surfaces at once, each has its share of
+  /// `held` are bytes of memory that are taken meanwhile; of several surfaces at once, each has its share of
   /// the rest. Throws ParameterError("memory") where there is too little.
-  Synthesis synthesis(const Tool& tool, Field kernel, Pointwise translation, std::size_t beside,
+  Synthesis synthesis(const Tool& tool, Field kernel, Pointwise translation, std::size_t held,
                       int at_once) const;
 
  private:

@@ -6,7 +6,7 @@
 /// in m and m2, or in units of the rms height; lags in metres, or in samples where no spacing is known.
 /// A surface has no kernel unless asked for, and of its autocorrelation the lags that errors ask for.
 /// Heights that are not Gaussian are a translation of what the kernel, of unit variance, averages
-/// (marginal_dataset.hpp). Global attributes kernel_* hold the parameters and what was achieved.
+/// (marginal.hpp). Global attributes kernel_* hold the parameters and what was achieved.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ void record_model(Attributes& attributes, const EllipticTarget& model);
 void record_kernel(Attributes& attributes, const KernelRequest& request, const Kernel& kernel);
 
 /// What a solution achieved, less its answer and its counts; residual and error are NAN where the dataset
-/// does not tell.
+/// has none.
 KernelReport recorded_report(const Attributes& attributes);
 /// The tolerance of its errors.
 double recorded_tolerance(const Attributes& attributes);

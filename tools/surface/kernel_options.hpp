@@ -10,7 +10,7 @@
 #include "acf/kernel.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/surface/kernel_dataset.hpp"
-#include "tools/surface/marginal_options.hpp"
+#include "tools/surface/marginal.hpp"
 
 namespace asperity::cli {
 

@@ -95,7 +95,7 @@ void record_heights(Dataset& data, const Marginal& marginal, const SolvedKernel&
   data.attributes.set("kernel_hermite_tail", kernel.hermite_tail);
 }
 
-// ---- what is said of it ----
+// ---- what is reported ----
 
 // "40x20 lags chosen: error over all lags 8.1e-4", of a table with what the kernel makes of the lags beyond
 // it.
@@ -141,7 +141,7 @@ void warn_of_errors(const Tool& tool, const KernelRequest& request, const Kernel
               " prescribed lags are met; leave out --lags to meet --acf-tolerance at all lags");
 }
 
-Exit tell(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, bool aside) {
+Exit report_on(const Tool& tool, const KernelProblem& problem, const Kernel& kernel, bool aside) {
   auto say = [&](const std::string& text) { aside ? tool.detail("kernel: " + text) : tool.note(text); };
   const KernelReport& report = kernel.report;
   tool.detail("kernel: " + std::string(name_of(report.answer)) + ", " + report.reason + ", residual " +
@@ -189,12 +189,12 @@ KernelSolution record(const Tool& tool, KernelProblem problem, const SolvedKerne
   set_kernel(problem.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, problem.has_height,
                             problem.spacing, problem.marginal.has_value(), problem.period});
   record_kernel(problem.data.attributes, problem.request, kernel);
-  const Exit code = tell(tool, problem, kernel, aside);
+  const Exit code = report_on(tool, problem, kernel, aside);
   std::string change = code == done ? changed(problem, kernel) : "";
   return {std::move(problem.data), std::move(problem.before), code, std::move(change)};
 }
 
-void tell_read(const Tool& tool, const Dataset& data) {
+void report_read(const Tool& tool, const Dataset& data) {
   const KernelReport report = recorded_report(data.attributes);
   tool.detail("kernel: " + report.reason + ", residual " + shortest(report.residual) +
               ", error over all lags " + shortest(report.error));

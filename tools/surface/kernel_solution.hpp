@@ -16,7 +16,7 @@ SolvedKernel solve(const Tool& tool, KernelProblem& problem, bool aside = false)
 
 struct KernelSolution {
   Dataset data;
-  Inventory before;         ///< of the dataset that was read, to tell what is gone
+  Inventory before;         ///< of the dataset that was read, to note what is gone
   Exit code = done;         ///< not_converged for a kernel that is not as requested
   std::string change = {};  ///< of the target by the kernel, in words; to be said of the kernel that is used
 };
@@ -27,6 +27,6 @@ KernelSolution record(const Tool& tool, KernelProblem problem, const SolvedKerne
                       bool aside = false);
 
 /// For a kernel that was read: its own run has reported everything except that the kernel did not converge.
-void tell_read(const Tool& tool, const Dataset& data);
+void report_read(const Tool& tool, const Dataset& data);
 
 }  // namespace asperity::cli

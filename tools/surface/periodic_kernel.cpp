@@ -15,13 +15,13 @@
 namespace asperity::cli {
 namespace {
 
-constexpr double told_change = 1e-9;     // of the variance: more than round-off
+constexpr double notable_change = 1e-9;  // of the variance: more than round-off
 constexpr double least_variance = 0.01;  // of the one requested
 constexpr double largest_offset = 0.5;   // share of the variance
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 // The torus of the kernel along an axis: the period where the lags go around it, else wide enough for what is
-// beside them.
+// next to them.
 Index side(Index lags, Index period) {
   return 2 * lags - 1 >= period ? period : std::min(period, fast_length(2 * lags));
 }
@@ -80,8 +80,8 @@ void refuse_rest(double left, Shape surface) {
                                                   left));
 }
 
-void tell_change(const Tool& tool, double change, Shape surface) {
-  if (change <= told_change) return;
+void warn_of_change(const Tool& tool, double change, Shape surface) {
+  if (change <= notable_change) return;
   tool.warn("--periodic: " + around(surface) + " and changes the autocorrelation by up to " +
             fmt::format("{:.2g}", change) +
             " of the variance: it is the sum over the periods, at the prescribed rms height");
@@ -156,7 +156,7 @@ Field periodic_correlation(const Tool& tool, const Target& target, Shape surface
   out /= variance(out);
   refuse_offset(out, surface);
   const Field alone = half_plane([&](Index p, Index q) { return target(double(p), double(q)); });
-  tell_change(tool, (out - alone).abs().maxCoeff(), surface);
+  warn_of_change(tool, (out - alone).abs().maxCoeff(), surface);
   return out;
 }
 
@@ -181,10 +181,10 @@ void wrap_kernel(const Tool& tool, KernelSolution& solution, KernelTables& table
   const double error = largest_error(tables), tolerance = recorded_tolerance(a);
   const bool met = !(recorded_report(a).error > tolerance);
   record(a, error);
-  tell_change(tool, (correlation - within(alone, shape_of(correlation))).abs().maxCoeff(), surface);
+  warn_of_change(tool, (correlation - within(alone, shape_of(correlation))).abs().maxCoeff(), surface);
   if (!met) return;
   solution.change.clear();
-  if (error > told_change)
+  if (error > notable_change)
     solution.change =
         "the kernel changes the sum over the periods by up to " + number(error) + " of the variance";
   if (error <= tolerance) return;

@@ -12,24 +12,24 @@
 namespace asperity::cli {
 namespace {
 
-constexpr double told_share = 0.5;    // of the variance, in one offset
-constexpr double told_rest = 0.01;    // of a correlation, a sample away
-constexpr double told_dataset = 1e8;  // bytes
-constexpr double near_bound = 3;      // Sq
-constexpr double at_bound = 0.25;     // Sq, of a peak
+constexpr double long_share = 0.5;     // of the variance, in one offset
+constexpr double white_rest = 0.01;    // of a correlation, a sample away
+constexpr double large_dataset = 1e8;  // bytes
+constexpr double near_bound = 3;       // Sq
+constexpr double at_bound = 0.25;      // Sq, of a peak
 
 const char* axes(bool x, bool y) { return x && y ? "x and y" : x ? "x" : "y"; }
 
-void tell_short(const Tool& tool, const KernelProblem& problem, Shape surface) {
+void warn_if_short(const Tool& tool, const KernelProblem& problem, Shape surface) {
   const Target& target = problem.request.target;
   if (target.known || !target.reach) return;
-  const Shape fallen = target.reach(told_rest);
+  const Shape fallen = target.reach(white_rest);
   const bool x = fallen.nx == 1 && surface.nx != 1, y = fallen.ny == 1 && surface.ny != 1;
   if (x || y)
     tool.warn(
         fmt::format("--{} is far below a sample along {}: neighbouring heights correlate by less than "
                     "{:g}, as in white noise; sample more finely",
-                    problem.extent, axes(x, y), told_rest));
+                    problem.extent, axes(x, y), white_rest));
 }
 
 // "+1.1 Sq (436nm)"
@@ -39,7 +39,7 @@ std::string in_rms(double z, const KernelProblem& problem) {
   return fmt::format("{:+.3g} Sq", z) + height;
 }
 
-void tell_heights(const Tool& tool, const KernelProblem& problem) {
+void report_bounds(const Tool& tool, const KernelProblem& problem) {
   if (!problem.marginal || problem.marginal->measured) return;
   const auto [low, high, peaks] =
       density_shape(fit_johnson(problem.marginal->skewness, problem.marginal->kurtosis));
@@ -73,12 +73,12 @@ Shape most_lags(const KernelRequest& request) {
   return static_cast<double>(far.cells()) > slow * static_cast<double>(first.cells()) ? far : first;
 }
 
-void tell_cost(const Tool& tool, const KernelRequest& request, bool kept) {
+void warn_of_cost(const Tool& tool, const KernelRequest& request, bool kept) {
   check_memory(request, first_lags(request), kernel_cost(first_lags(request)));
   const Shape lags = most_lags(request);
   constexpr Index widest = 13;  // torus of a table of long waves, the fourth that is tried
   const bool table = request.target.known.has_value();
-  if (wider_kernel_cost(lags, table ? widest : 4).dataset <= told_dataset) return;
+  if (wider_kernel_cost(lags, table ? widest : 4).dataset <= large_dataset) return;
   const auto [memory, dataset] = wider_kernel_cost(lags);
   const auto shown = [](double bytes) {
     return format_bytes(static_cast<std::size_t>(std::min(bytes, 1e18)));
@@ -111,7 +111,7 @@ double mean_correlation(const Target& target, Shape surface) {
 void foresee_extent(const Tool& tool, const Target& target, Shape surface, const char* option) {
   if (surface.cells() <= 1) return;
   const double mean = mean_correlation(target, surface);
-  if (mean > told_share)
+  if (mean > long_share)
     throw UsageError(
         option,
         fmt::format(
@@ -121,7 +121,7 @@ void foresee_extent(const Tool& tool, const Target& target, Shape surface, const
             100 * mean));
   const double along_x = mean_correlation(target, {surface.nx, 1}),
                along_y = mean_correlation(target, {1, surface.ny});
-  const bool x = surface.nx > 1 && along_x > told_share, y = surface.ny > 1 && along_y > told_share;
+  const bool x = surface.nx > 1 && along_x > long_share, y = surface.ny > 1 && along_y > long_share;
   if (x || y)
     tool.warn(
         fmt::format("the correlation reaches across the surface along {}: heights correlate by {:.2g} there "
@@ -133,9 +133,9 @@ void foresee(const Tool& tool, const KernelProblem& problem, Shape surface, bool
   if (problem.band) return;  // it has the surface's own waves, and no offset
   const Target& target = problem.request.target;
   foresee_extent(tool, target, surface, problem.extent);
-  tell_short(tool, problem, surface);
-  tell_cost(tool, problem.request, kept);
-  tell_heights(tool, problem);
+  warn_if_short(tool, problem, surface);
+  warn_of_cost(tool, problem.request, kept);
+  report_bounds(tool, problem);
 }
 
 }  // namespace asperity::cli

@@ -88,7 +88,7 @@ SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
   drop_surface(out.data);
   foresee_extent(tool, target_of_table(known_lags(kernel_of(out.data).acf_target)), o.shape,
                  tool.given("--shape") ? "shape" : "kernel");
-  tell_read(tool, out.data);
+  report_read(tool, out.data);
   return out;
 }
 
@@ -158,7 +158,7 @@ Pointwise filtered(const Tool& tool, const GenerateOptions& o, SurfaceKernel& ke
   if (!prescribed) throw UsageError("method", "filter: needs --skewness and --kurtosis");
   const Translation noise = prescribed->noise(kernel.tables.kernel);
   const HeightMoments moments = KernelCumulants::of(kernel.tables.kernel).heights(height_moments(noise));
-  tell_kurtosis(tool, *prescribed, moments.kurtosis);
+  warn_of_kurtosis(tool, *prescribed, moments.kurtosis);
   expect(kernel.data.attributes, "filter", moments.skewness, moments.kurtosis);
   return noise.family == "normal" ? Pointwise{} : noise.apply;
 }

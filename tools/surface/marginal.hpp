@@ -1,4 +1,4 @@
-/// The distribution of heights in a dataset.
+/// The distribution of heights: the options that prescribe it, and its place in a dataset.
 ///
 /// Of a kernel whose heights are not Gaussian:
 ///     kernel_heights                       S_L, S_U, S_B or measured
@@ -17,7 +17,9 @@
 
 #include "dataset/dataset.hpp"
 #include "marginal/measured.hpp"
+#include "marginal/prescribed.hpp"
 #include "marginal/translation.hpp"
+#include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 
@@ -35,7 +37,7 @@ void set_marginal(Dataset& data, const Marginal& marginal);
 /// ("kernel_quantiles").
 std::optional<Marginal> marginal_of(const Dataset& data);
 
-/// What asperity-acf found of the heights beside their autocorrelation; NAN and none where it did not.
+/// What asperity-acf found of the heights besides their autocorrelation; NAN and none where it did not.
 struct HeightsWithAcf {
   double skewness = NAN, kurtosis = NAN;
   std::optional<MeasuredHeights> measured = {};
@@ -44,5 +46,31 @@ HeightsWithAcf measured_with_acf(const Dataset& data);
 
 /// A quantile table as a variable.
 void set_quantiles(Dataset& data, const std::string& name, const MeasuredHeights& measured);
+
+// ---- the options ----
+
+struct MarginalOptions {
+  std::string marginal = "gaussian";
+  double skewness = 0, kurtosis = NAN;  ///< NAN: as the skewness has it
+
+  void declare(Tool& tool);
+  /// The first of them that was given, or nothing.
+  static std::string given(const Tool& tool);
+
+  /// The moments requested; none for Gaussian heights. Throws UsageError where a measured distribution is
+  /// meant.
+  std::optional<PrescribedHeights> moments(const Tool& tool, const HeightsWithAcf& table,
+                                           InfeasiblePolicy answer) const;
+  /// Of the heights; none where they are Gaussian. `table` is what came with the autocorrelation, `answer`
+  /// what to do about a kurtosis that no distribution has.
+  std::optional<Marginal> wanted(const Tool& tool, const HeightsWithAcf& table,
+                                 InfeasiblePolicy answer) const;
+
+ private:
+  bool chosen_by_moments(const Tool& tool) const;
+};
+
+/// Warns of heights whose kurtosis is another than the one prescribed.
+void warn_of_kurtosis(const Tool& tool, const PrescribedHeights& prescribed, double kurtosis);
 
 }  // namespace asperity::cli

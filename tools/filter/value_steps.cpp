@@ -1,7 +1,8 @@
-// What a step does to single points by those around them.
+// Steps that change heights at their points: form and waves, and single points by those around them.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,11 +14,65 @@
 #include "stats/filter/morphology.hpp"
 #include "stats/filter/outliers.hpp"
 #include "stats/height/height_steps.hpp"
-#include "tools/filter/step.hpp"
+#include "tools/filter/chain.hpp"
 #include "tools/measure/preparation_words.hpp"
 
 namespace asperity::cli {
 namespace {
+
+// ---- form and waves ----
+
+// "a dome of radius 5mm; ", of what is no polynomial.
+std::string words_of(const WithoutForm& found, Form::Kind kind) {
+  if (kind == Form::Kind::polynomial) return "";
+  std::string out = (found.radius > 0 ? "a dome" : "a bowl") + std::string(" of radius ") +
+                    figure(std::abs(found.radius), "m");
+  if (kind == Form::Kind::cylinder)
+    out += ", axis at " + in_digits(found.axis * 180 / std::numbers::pi, 4) + "deg";
+  return out + "; ";
+}
+
+Act without_form(const std::string& value) {
+  return [form = parse_form("remove-form", value)](const Tool& tool, Surface& surface) -> StepReport {
+    if (form.kind != Form::Kind::polynomial) check_lengths(surface, "the radius of a form");
+    WithoutForm found = asperity::without_form(surface.heights, surface.grid, form, tool.thread_count());
+    const Field former = std::exchange(surface.heights, std::move(found.heights));
+    surface.degree = std::max(surface.degree, form.modes());
+    const Removal removal(former, surface.heights);
+    std::string words = words_of(found, form.kind) + removal.words(surface.units);
+    const Index lost = missing_in(surface.heights) - missing_in(former);
+    if (lost > 0) words += "; " + share_of(lost, former.size()) + " lie beyond it and are missing now";
+    const bool poor = form.kind != Form::Kind::polynomial && !removal.most();
+    if (poor) words += "; no more was removed than is left: --crop the map to the " + form.words();
+    return {words, poor || lost > 0};
+  };
+}
+
+// The waves on one side of the cut-off stay.
+template <bool longer_stay>
+StepReport filtered(const std::string& option, const Cutoff& cutoff, const Tool& tool, Surface& surface) try {
+  check_cutoff(option, cutoff, surface.grid);
+  warn_of_cutoff(tool, cutoff, surface.grid);
+  MeanSurface waves = mean_surface(surface.heights, surface.grid, cutoff, tool.thread_count());
+  if (!longer_stay) surface.degree = degree_behind(surface.degree, surface.grid, cutoff);
+  if (!longer_stay) waves.surface = surface.heights - waves.surface;
+  const Field former = std::exchange(surface.heights, std::move(waves.surface));
+  return {removed(former, surface.heights, surface.units), false, waves.doubt};
+} catch (const ParameterError& error) {
+  throw ParameterError(option, error.what());
+}
+
+Act short_waves_removed(const std::string& value) {
+  return [cutoff = parse_cutoff("lambda-s", value)](const Tool& tool, Surface& surface) {
+    return filtered<true>("lambda-s", cutoff, tool, surface);
+  };
+}
+
+Act long_waves_removed(const std::string& value) {
+  return [cutoff = parse_cutoff("lambda-c", value)](const Tool& tool, Surface& surface) {
+    return filtered<false>("lambda-c", cutoff, tool, surface);
+  };
+}
 
 // "moved 31 of 1024 points, by 0.2um at most; removed …"
 std::string moved(const Field& before, const Surface& now) {
@@ -31,7 +86,7 @@ template <auto filter>
 Act by_ball(const char* option, const std::string& value) {
   const double radius = parse_quantity(option, value, "m");
   if (!(radius > 0 && std::isfinite(radius))) refuse(option, value, "is not a positive length");
-  return [radius](const Tool& tool, Surface& surface) -> Account {
+  return [radius](const Tool& tool, Surface& surface) -> StepReport {
     check_lengths(surface, "the radius of a ball");
     const StructuringElement ball{StructuringElement::Kind::ball, radius};
     Field now = filter(surface.heights, surface.grid, ball, tool.thread_count());
@@ -61,13 +116,15 @@ SampledLength width_of(const std::string& option, const std::string& text, int l
 }
 
 Act median(const std::string& value) {
-  return [width = width_of("median", value, 3)](const Tool& tool, Surface& surface) -> Account {
+  return [width = width_of("median", value, 3)](const Tool& tool, Surface& surface) -> StepReport {
     const Shape window = window_of(width, surface.grid);
     Field now = median_surface(surface.heights, surface.grid, window, tool.thread_count());
     const Field former = std::exchange(surface.heights, std::move(now));
     return {"windows of " + text(window) + " points; " + moved(former, surface)};
   };
 }
+
+// ---- points ----
 
 // "2.1nm over 1 point, 6.3nm over 3".
 std::string words_of(const std::vector<Outliers::Scale>& scales, bool profile, const std::string& units) {
@@ -104,7 +161,7 @@ Act outliers(const std::string& value) {
     refuse("outliers", value, "does not begin with a number of deviations above 0");
   const SampledLength width =
       width_of("outliers", comma == value.size() ? "3px" : value.substr(comma + 1), 1);
-  return [bound = *bound, width](const Tool& tool, Surface& surface) -> Account {
+  return [bound = *bound, width](const Tool& tool, Surface& surface) -> StepReport {
     const HeightSteps steps = height_steps(surface.heights);
     Outliers found = without_outliers(
         surface.heights, surface.grid,
@@ -120,18 +177,19 @@ constexpr std::array fillings{"laplace", "mean", "least"};  // in the order of F
 Act fill(const std::string& value) {
   const auto* word = std::ranges::find(fillings, value);
   if (word == fillings.end()) refuse("fill", value, "is none of laplace|mean|least");
-  return [filling = static_cast<Filling>(word - fillings.begin())](const Tool&, Surface& surface) -> Account {
-    const Index holes = missing_in(surface.heights);
-    surface.heights = filled(std::move(surface.heights), surface.grid, filling);
-    surface.filled += static_cast<double>(holes) / static_cast<double>(surface.heights.size());
-    return {"filled " + share_of(holes, surface.heights.size()), true};
-  };
+  return
+      [filling = static_cast<Filling>(word - fillings.begin())](const Tool&, Surface& surface) -> StepReport {
+        const Index holes = missing_in(surface.heights);
+        surface.heights = filled(std::move(surface.heights), surface.grid, filling);
+        surface.filled += static_cast<double>(holes) / static_cast<double>(surface.heights.size());
+        return {"filled " + share_of(holes, surface.heights.size()), true};
+      };
 }
 
 Act scale(const std::string& value) {
   const auto factor = to_number<double>(value);
   if (!factor || *factor == 0 || !std::isfinite(*factor)) refuse("scale", value, "is not a number besides 0");
-  return [factor = *factor](const Tool&, Surface& surface) -> Account {
+  return [factor = *factor](const Tool&, Surface& surface) -> StepReport {
     surface.heights *= factor;
     return {"multiplied by " + shortest(factor)};
   };
@@ -139,9 +197,14 @@ Act scale(const std::string& value) {
 
 }  // namespace
 
-std::vector<StepKind> point_steps() {
+std::vector<StepKind> value_steps() {
   const char *group = "Form and waves", *points = "Points";
   return {
+      {"remove-form", form_kind, "Subtract a form: " + form_words, group, without_form},
+      {"lambda-s", cutoff_kind, "Keep the waves longer than this, by the S-filter. " + filter_words, group,
+       short_waves_removed},
+      {"lambda-c", cutoff_kind, "Keep the waves shorter than this, by the L-filter. FILTER as of --lambda-s",
+       group, long_waves_removed},
       {"closing", "RADIUS",
        "Fill the valleys that a ball of this radius does not reach from above: morphological closing", group,
        closed},
