@@ -9,11 +9,8 @@
 #include "stats/measure/acf_estimate.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
-#include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/quantity.hpp"
-#include "tools/cli/table.hpp"
-#include "tools/cli/turns.hpp"
 #include "tools/measure/acf_result.hpp"
 #include "tools/measure/field_options.hpp"
 
@@ -129,14 +126,10 @@ cli::AcfContent content(const Surface& surface, const Options& what) {
   return {surface.variable, surface.units, what.absolute};
 }
 
-// One surface: its dataset or table, with errors by theory.
-void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
+// One surface: its dataset or lengths, with errors by theory.
+void measure_one(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
   const Surface surface = field.read(tool, data);
   const cli::AcfResult result = measured(tool, what, surface, data);
-  if (what.result.result == "profiles") {
-    warn_of_few(tool, result.estimate.size);
-    return cli::print(tool, acf_profiles(result, content(surface, what)));
-  }
   const Parameters lengths = lengths_of(result, what);
   warn_of_lengths(tool, what, lengths, surface.grid, &result.estimate);
   if (!what.result.dataset()) return cli::print(tool, lengths);
@@ -146,62 +139,72 @@ void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& wha
   tool.write(data);
 }
 
-// Several: means, with errors by the spread between them.
-class Surfaces {
- public:
-  Surfaces(cli::Tool& tool, const cli::FieldOptions& field, const Options& what)
-      : tool_(tool),
-        field_(field),
-        what_(what),
-        grids_(what.result.result == "lengths" ? "" : "the mean at each lag") {}
+// Of the lengths that all surfaces have.
+Parameters mean_lengths(const EnsembleParameters& lengths) {
+  Parameters out;
+  for (const EnsembleParameter& length : lengths.all())
+    if (length.surfaces == lengths.surfaces())
+      out.push_back({length.name, length.mean, length.unit, length.standard_error(), ""});
+  return out;
+}
 
-  void add(const cli::EnsembleMember& member) {
-    if (what_.adds("acf_quantiles"))
-      throw cli::UsageError("add", "acf_quantiles are those of one surface, but INPUT names several");
-    tool_.detail(member.name);
-    const Surface surface = field_.read(tool_, member.data);
-    grids_.add(tool_, surface.grid, member.name, surface.units);
-    cli::AcfResult result = measured(tool_, what_, surface, member.data);
-    Parameters found;
-    if (what_.result.result != "profiles") found = lengths_of(result, what_);
-    cli::in_turn([this, result = std::move(result), found = std::move(found), grid = surface.grid,
-                  own = content(surface, what_), name = member.name] {
-      if (!ensemble_) ensemble_.emplace(own);
-      grid_ = grid;
-      add(result, found, name);
-    });
-  }
-  void finish() const {
-    if (!ensemble_) return;
-    if (what_.result.result == "profiles") return cli::print(tool_, ensemble_->profiles());
-    warn_of_lengths(tool_, what_, mean_lengths(), grid_);
-    if (!what_.result.dataset()) return cli::print(tool_, cli::ensemble_table(ensemble_->lengths()));
-    Dataset data = ensemble_->dataset(grid_);
-    tool_.write(data);
-  }
+// Several: the means, with errors by the spread between them.
+void measure_several(cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
+                     cli::EnsembleInput& surfaces, const cli::Several& several) {
+  if (what.adds("acf_quantiles"))
+    throw cli::UsageError("add", "acf_quantiles are those of one surface, but INPUT names several");
+  struct One {
+    cli::AcfResult result;
+    Parameters lengths;
+    cli::AcfContent content;
+  };
+  std::optional<cli::AcfEnsemble> mean;
+  surfaces.for_each(
+      tool,
+      [&](const cli::EnsembleMember& member) {
+        const Surface surface = field.read(tool, member.data);
+        cli::AcfResult result = measured(tool, what, surface, member.data);
+        Parameters lengths = lengths_of(result, what);
+        return One{std::move(result), std::move(lengths), content(surface, what)};
+      },
+      [&](const One& one, const std::string&) {
+        if (!mean) mean.emplace(one.content);
+        mean->add(one.result, one.lengths, what.result.dataset());
+      },
+      several);
+  warn_of_lengths(tool, what, mean_lengths(mean->lengths()), mean->grid());
+  if (!what.result.dataset()) return cli::print(tool, cli::ensemble_table(mean->lengths()));
+  Dataset data = mean->dataset();
+  tool.write(data);
+}
 
- private:
-  void add(const cli::AcfResult& result, const Parameters& lengths, const std::string& name) {
-    if (what_.result.result == "profiles") return ensemble_->add_profiles(result, name);
-    ensemble_->add_lengths(lengths);
-    if (what_.result.dataset()) ensemble_->add_function(result);
-  }
-  // Of the lengths that all surfaces have.
-  Parameters mean_lengths() const {
-    Parameters out;
-    for (const EnsembleParameter& length : ensemble_->lengths().all())
-      if (length.surfaces == ensemble_->lengths().surfaces())
-        out.push_back({length.name, length.mean, length.unit, length.standard_error(), ""});
-    return out;
-  }
+// Of one surface with errors by theory, of several the mean.
+int print_profiles(const cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
+                   cli::EnsembleInput& surfaces, const cli::Several& several) {
+  const auto content_of = [](const cli::Table&) {
+    return cli::EnsembleTable::Content{
+        .keys = {"direction", "lag"}, .value = "acf", .others = {"structure_function"}, .means = {"target"}};
+  };
+  return cli::print_table(tool, surfaces, several, content_of, [&](const cli::EnsembleMember& member) {
+    const Surface surface = field.read(tool, member.data);
+    const cli::AcfResult result = measured(tool, what, surface, member.data);
+    if (member.alone()) warn_of_few(tool, result.estimate.size);
+    return acf_profiles(result, content(surface, what));
+  });
+}
 
-  cli::Tool& tool_;
-  const cli::FieldOptions& field_;
-  const Options& what_;
-  cli::EnsembleGrid grids_;
-  Grid grid_ = {};
-  std::optional<cli::AcfEnsemble> ensemble_ = {};
-};
+int measure(cli::Tool& tool, const cli::FieldOptions& field, Options& what, cli::EnsembleInput& surfaces) {
+  what.check(tool);
+  const std::string& result = what.result.result;
+  const cli::Several several{.variable = field.variable,
+                             .on_one_grid = result == "lengths" ? "" : "the mean at each lag"};
+  if (result == "profiles") return print_profiles(tool, field, what, surfaces, several);
+  if (surfaces.resolve(tool) == 1)
+    measure_one(tool, field, what, surfaces.only(tool));
+  else
+    measure_several(tool, field, what, surfaces, several);
+  return cli::done;
+}
 
 // ---- the command line ----
 
@@ -278,13 +281,5 @@ int main(int argc, char** argv) {
   options.declare(tool);
   declare(tool, what);
 
-  return tool.run(argc, argv, [&] {
-    what.check(tool);
-    Surfaces surfaces(tool, options, what);
-    inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
-      member.alone() ? measure(tool, options, what, std::move(member.data)) : surfaces.add(member);
-    });
-    surfaces.finish();
-    return cli::done;
-  });
+  return tool.run(argc, argv, [&] { return measure(tool, options, what, inputs); });
 }

@@ -1,16 +1,17 @@
 /// Presses two bodies together: pressure, gap, displacement and state of each cell, or a table of loads.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "contact/sweep.hpp"
+#include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/turns.hpp"
+#include "tools/contact/press.hpp"
 #include "tools/contact/record.hpp"
-#include "tools/contact/several.hpp"
 
 using namespace asperity;
 
@@ -59,12 +60,27 @@ void warn(const cli::Tool& tool, const std::vector<Doubt>& doubts) {
   for (const Doubt& doubt : doubts) tool.warn(doubt.words);
 }
 
+void warn_of(const cli::Tool& tool, const cli::ContactOptions& options, const cli::ContactScene& scene) {
+  warn(tool, cli::doubts(scene));
+  warn(tool, doubts(scene.grid, options.bodies));
+}
+
+// With a warning where the contact has not converged.
+int exit_of(const cli::Tool& tool, const cli::ContactOptions& options, const Contact& contact) {
+  const std::string why = cli::unconverged(options, contact);
+  if (why.empty()) return cli::done;
+  tool.warn(why);
+  return cli::not_converged;
+}
+
+// ---- one surface ----
+
 // The one that is pressed, or none of a smooth body.
 cli::ContactScene only_scene(const cli::Tool& tool, cli::ContactOptions& options) {
   return cli::scene_of(tool, options, options.smooth ? Dataset() : options.surfaces.only(tool));
 }
 
-int press(cli::Tool& tool, cli::ContactOptions& options) {
+int press_one(cli::Tool& tool, cli::ContactOptions& options) {
   cli::ContactScene scene = only_scene(tool, options);
   cli::Influence influence(options);
   const cli::Inventory before(scene.data);
@@ -75,76 +91,151 @@ int press(cli::Tool& tool, cli::ContactOptions& options) {
   cli::record(scene, options, pressed.contact, pressed.figures);
   before.tell(tool, scene.data, "pressure");
   scene.written([&] { tool.write(scene.data); });
-  warn(tool, cli::doubts(scene));
-  warn(tool, doubts(scene.grid, options.bodies));
+  warn_of(tool, options, scene);
   warn(tool, pressed.doubts);
-  const int code = cli::told_exit(tool, options, pressed.contact, "");
+  const int code = exit_of(tool, options, pressed.contact);
   if (accurate.unreached.empty()) return code;
   tool.warn("the accuracy is not reached: " + accurate.unreached);
   return cli::not_converged;
 }
 
-// The sweeps of a run: one surface, or several.
-class Sweeps {
- public:
-  Sweeps(cli::Tool& tool, const cli::ContactOptions& options, ProgressCounter& counter)
-      : tool_(tool), options_(options), counter_(counter) {}
+// ---- several surfaces ----
 
-  cli::Table table(const cli::ContactScene& scene, ElasticOperator& influence, const std::string& of,
-                   int& code) {
-    cli::Table out;
-    int number = 0;
-    solve_load_sequence(scene.grid, scene.gap, influence, options_.contact, options_.loads,
-                        [&](const Contact& c) {
-                          cli::in_turn([this] { counter_.next(); });
-                          const cli::GridFigures figures = cli::grid_figures(options_, scene, influence, c);
-                          cli::add_load(out, scene, options_, c, figures);
-                          const std::string load = of + cli::format_quantity(c.load, "N");
-                          doubt(doubts(scene.grid, options_.bodies, c), load);
-                          doubt(cli::doubts(figures), load);
-                          code = std::max(code, cli::told_exit(tool_, options_, c, load + ": "));
-                          if (!options_.each.empty()) write(scene, c, figures, ++number);
-                        });
+cli::Several several_contacts() {
+  return {.on_one_grid = "the mean over contacts", .go_on = cli::Several::GoOn::after_any_error};
+}
+
+cli::ContactScene scene_of_member(const cli::Tool& tool, const cli::ContactOptions& options,
+                                  cli::EnsembleMember& member) {
+  cli::ContactScene scene = cli::scene_of(tool, options, std::move(member.data));
+  warn_of(tool, options, scene);
+  return scene;
+}
+
+int press_several(const cli::Tool& tool, cli::ContactOptions& options) {
+  cli::Influences influences(options);
+  const auto results_of = [&](cli::EnsembleMember&& of) {
+    cli::ContactScene scene = scene_of_member(tool, options, of);
+    const cli::Inventory before(scene.data);
+    const cli::Pressed pressed =
+        influences.with_one([&](cli::Influence& own) { return cli::press(options, scene, own); });
+    cli::record(scene, options, pressed.contact, pressed.figures);
+    cli::SurfaceResults out{scene.data.attributes, pressed.contact.converged};
+    warn(tool, pressed.doubts);
+    out.code = exit_of(tool, options, pressed.contact);
+    if (!options.each.empty()) {
+      if (of.number == 1) before.tell(tool, scene.data, "pressure");
+      tool.write(scene.data, cli::numbered("each", options.each, static_cast<std::int64_t>(of.number)));
+    }
     return out;
-  }
-  void tell() const { in_doubt_.tell(tool_); }
+  };
+  return cli::print_rows(
+      tool, options.surfaces, several_contacts(),
+      {.prefix = "contact_", .without = {"hertz_*"}, .achieved = {"residual", "convolutions", "converged"}},
+      results_of);
+}
 
- private:
-  void doubt(const std::vector<Doubt>& doubts, const std::string& load) {
-    cli::in_turn([this, doubts, load] { in_doubt_.add(tool_, doubts, load); });
-  }
-  void write(const cli::ContactScene& scene, const Contact& contact, const cli::GridFigures& figures,
-             int number) {
-    cli::ContactScene one = scene;
-    cli::record(one, options_, contact, figures);
-    if (number == 1) cli::Inventory(scene.data).tell(tool_, one.data, "pressure");
-    one.written([&] { tool_.write(one.data, cli::numbered("each", options_.each, number)); });
-  }
+// ---- a sweep of loads ----
 
-  cli::Tool& tool_;
-  const cli::ContactOptions& options_;
-  ProgressCounter& counter_;
-  cli::SweepDoubts in_doubt_;
+// What is said about a load.
+struct LoadVerdict {
+  std::string load;  ///< "s_1.nc: 20 N"
+  std::vector<Doubt> doubts;
+  std::string unconverged;  ///< why; "": converged
 };
+using Say = std::function<void(const LoadVerdict&)>;
 
-int sweep(cli::Tool& tool, cli::ContactOptions& options, ProgressCounter& counter) {
-  Sweeps sweeps(tool, options, counter);
-  int code = cli::done;
-  if (options.several()) {
-    code = cli::sweep_several(
-        tool, options,
-        [&](const cli::ContactScene& scene, ElasticOperator& influence, const std::string& of, int& worst) {
-          return sweeps.table(scene, influence, of, worst);
+// A row for each load; `say` comes after each.
+cli::Table sweep_table(const cli::Tool& tool, const cli::ContactOptions& options,
+                       const cli::ContactScene& scene, ElasticOperator& influence, const std::string& of,
+                       const Say& say) {
+  cli::Table out;
+  int number = 0;
+  const auto add = [&](const Contact& c) {
+    const cli::GridFigures figures = cli::grid_figures(options, scene, influence, c);
+    cli::add_load(out, scene, options, c, figures);
+    LoadVerdict verdict{of + cli::format_quantity(c.load, "N"), doubts(scene.grid, options.bodies, c),
+                        cli::unconverged(options, c)};
+    for (Doubt& doubt : cli::doubts(figures)) verdict.doubts.push_back(std::move(doubt));
+    say(verdict);
+    if (options.each.empty()) return;
+    cli::ContactScene one = scene;
+    cli::record(one, options, c, figures);
+    if (++number == 1) cli::Inventory(scene.data).tell(tool, one.data, "pressure");
+    one.written([&] { tool.write(one.data, cli::numbered("each", options.each, number)); });
+  };
+  solve_load_sequence(scene.grid, scene.gap, influence, options.contact, options.loads, add);
+  return out;
+}
+
+// What has not converged is unknown.
+void blank_unconverged(cli::Table& table) {
+  const auto converged = static_cast<std::size_t>(
+      std::ranges::find(table.columns, "converged", &cli::Column::name) - table.columns.begin());
+  for (auto& row : table.rows)
+    if (std::get<double>(row[converged]) == 0)
+      for (std::size_t c = 0; c < row.size(); ++c)
+        if (table.columns[c].name != "load") row[c] = NAN;
+}
+
+cli::EnsembleTable::Content content_of(const cli::Table& sweep) {
+  const std::set<std::string> apart{"load", "approach", "residual", "convolutions", "converged"};
+  cli::EnsembleTable::Content out{.keys = {"load"}, .value = "approach", .error = "approach_standard_error"};
+  for (const cli::Column& c : sweep.columns)
+    if (!apart.contains(c.name)) (c.name.ends_with("_error") ? out.means : out.others).push_back(c.name);
+  return out;
+}
+
+int sweep_one(const cli::Tool& tool, cli::ContactOptions& options, const Say& say) {
+  const cli::ContactScene scene = only_scene(tool, options);
+  cli::Influence influence(options);
+  warn_of(tool, options, scene);
+  cli::print(tool, sweep_table(tool, options, scene, influence.on(scene.grid), "", say));
+  return cli::done;
+}
+
+// The mean over the surfaces that converged under a load.
+int sweep_several(const cli::Tool& tool, cli::ContactOptions& options, const Say& say) {
+  struct One {
+    cli::Table loads;
+    std::vector<LoadVerdict> verdicts = {};
+  };
+  cli::Influences influences(options);
+  cli::EnsembleTable mean(&content_of);
+  const int code = options.surfaces.for_each(
+      tool,
+      [&](cli::EnsembleMember&& member) {
+        const cli::ContactScene scene = scene_of_member(tool, options, member);
+        One out;
+        influences.with_one([&](cli::Influence& influence) {
+          out.loads = sweep_table(tool, options, scene, influence.on(scene.grid), member.name + ": ",
+                                  [&](const LoadVerdict& verdict) { out.verdicts.push_back(verdict); });
         });
-  } else {
-    const cli::ContactScene scene = only_scene(tool, options);
-    cli::Influence influence(options);
-    warn(tool, cli::doubts(scene));
-    warn(tool, doubts(scene.grid, options.bodies));
-    cli::print(tool, sweeps.table(scene, influence.on(scene.grid), "", code));
-  }
-  sweeps.tell();
+        blank_unconverged(out.loads);
+        return out;
+      },
+      [&](const One& one, const std::string& name) {
+        for (const LoadVerdict& verdict : one.verdicts) say(verdict);
+        mean.add(one.loads, name);
+      },
+      several_contacts());
+  mean.print(tool);
   return code;
+}
+
+int sweep(const cli::Tool& tool, cli::ContactOptions& options, ProgressCounter& counter) {
+  cli::SweepDoubts in_doubt;
+  int code = cli::done;
+  const Say say = [&](const LoadVerdict& verdict) {
+    counter.next();
+    in_doubt.add(tool, verdict.doubts, verdict.load);
+    if (verdict.unconverged.empty()) return;
+    tool.warn(verdict.load + ": " + verdict.unconverged);
+    code = cli::not_converged;
+  };
+  const int failed = options.several() ? sweep_several(tool, options, say) : sweep_one(tool, options, say);
+  in_doubt.tell(tool);
+  return std::max(code, failed);
 }
 
 }  // namespace
@@ -178,6 +269,6 @@ int main(int argc, char** argv) {
     if (tool.verbose() || tool.shows_progress())
       options.contact.progress = [&](const ContactProgress& p) { counter.add(p); };
     if (options.sweeps()) return sweep(tool, options, counter);
-    return options.several() ? cli::press_several(tool, options) : press(tool, options);
+    return options.several() ? press_several(tool, options) : press_one(tool, options);
   });
 }

@@ -1,6 +1,4 @@
 // Measured maps made ready: level, filter, fill, cut, resample.
-#include <algorithm>
-
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
@@ -8,7 +6,6 @@
 #include "tools/cli/heights_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/turns.hpp"
 #include "tools/filter/chain.hpp"
 #include "tools/measure/preparation_words.hpp"
 
@@ -45,63 +42,46 @@ bool is_map_of(const Dataset& data, const Surface& surface) {
          ((now.heights == surface.heights) || (now.heights.isNaN() && surface.heights.isNaN())).all();
 }
 
-class Filter {
- public:
-  Filter(cli::Tool& tool, const std::string& variable) : tool_(tool), variable_(variable), chain_(tool) {}
+std::string output_for(const cli::Tool& tool, std::size_t number, std::size_t of) {
+  const std::string name = tool.output_name();
+  const bool several = of > 1 || cli::has_place_for_number(name);
+  return several ? cli::numbered("output", name, static_cast<std::int64_t>(number)) : name;
+}
 
-  int operator()(cli::EnsembleInput& surfaces) {
-    if (const std::size_t of = surfaces.resolve(tool_); of > 1) claim(surfaces, of);
-    surfaces.for_each(
-        tool_, [&](cli::EnsembleMember&& member) { visit(std::move(member)); },
-        [&](const std::string&, const std::string& why) { fail(why, cli::bad_data); });
-    return code_;
-  }
+// Before the work: no output is one of the inputs.
+void claim_outputs(cli::Tool& tool, cli::EnsembleInput& surfaces) {
+  const std::size_t of = surfaces.resolve(tool);
+  if (of == 1) return;
+  for (std::size_t k = 1; k <= of; ++k) tool.writes("output", output_for(tool, k, of));
+  for (const std::string& file : surfaces.files) tool.reads(file);
+}
 
- private:
-  // Before the work: no output is one of the inputs.
-  void claim(const cli::EnsembleInput& surfaces, std::size_t of) {
-    for (std::size_t k = 1; k <= of; ++k) tool_.writes("output", output(k, of));
-    for (const std::string& file : surfaces.files) tool_.reads(file);
-  }
-  std::string output(std::size_t number, std::size_t of) const {
-    const std::string name = tool_.output_name();
-    const bool several = of > 1 || cli::has_place_for_number(name);
-    return several ? cli::numbered("output", name, static_cast<std::int64_t>(number)) : name;
-  }
-  void fail(const std::string& why, int code) {
-    tool_.warn(why);
-    cli::in_turn([this, code] { code_ = std::max(code_, code); });
-  }
-  // Of several maps, one that fails does not keep the others.
-  void visit(cli::EnsembleMember&& member) {
-    if (!member.alone()) tool_.detail(member.name);
-    try {
-      write(member.data, output(member.number, member.of));
-    } catch (const DataError& error) {
-      if (member.alone()) throw;
-      fail(tool_.in_file(error), cli::bad_data);
-    } catch (const cli::UsageError& error) {  // a step that this map cannot take
-      if (member.alone()) throw;
-      fail(member.name + ": --" + error.name + ": " + error.what(), cli::usage_error);
-    }
-  }
-  void write(Dataset& data, const std::string& name) {
-    Surface surface = surface_of(data, variable_);
-    auto [lines, converged] = chain_(tool_, surface);
-    cli::warn_of_proportions(tool_, Proportions(surface.heights, surface.grid), surface.units);
-    const int degree = surface.degree;
-    const double filled = surface.filled;
-    if (!is_map_of(data, surface)) replace(tool_, data, std::move(surface));
-    cli::set_preparation(data, degree, filled);
-    tool_.write(data, name, lines);
-    if (!converged) cli::in_turn([this] { code_ = std::max<int>(code_, cli::not_converged); });
-  }
+// Writes the map; whether its solvers have converged.
+bool filter(const cli::Tool& tool, const std::string& variable, const cli::Chain& chain, Dataset data,
+            const std::string& output) {
+  Surface surface = surface_of(data, variable);
+  const auto [lines, converged] = chain(tool, surface);
+  cli::warn_of_proportions(tool, Proportions(surface.heights, surface.grid), surface.units);
+  const int degree = surface.degree;
+  const double filled = surface.filled;
+  if (!is_map_of(data, surface)) replace(tool, data, std::move(surface));
+  cli::set_preparation(data, degree, filled);
+  tool.write(data, output, lines);
+  return converged;
+}
 
-  cli::Tool& tool_;
-  const std::string& variable_;
-  const cli::Chain chain_;
-  int code_ = cli::done;
-};
+int filter_all(cli::Tool& tool, cli::EnsembleInput& surfaces, const std::string& variable) {
+  const cli::Chain chain(tool);
+  claim_outputs(tool, surfaces);
+  return surfaces.for_each(
+      tool,
+      [&](cli::EnsembleMember&& member) {
+        const std::string output = output_for(tool, member.number, member.of);
+        return filter(tool, variable, chain, std::move(member.data), output);
+      },
+      [](bool converged, const std::string&) -> int { return converged ? cli::done : cli::not_converged; },
+      {.go_on = cli::Several::GoOn::after_any_error});
+}
 
 }  // namespace
 
@@ -129,5 +109,5 @@ int main(int argc, char** argv) {
       "--lambda-c, to round-off.");
   tool.essential({"INPUT", "--remove-form", "--lambda-s", "--lambda-c", "--outliers", "--fill", "--crop",
                   "--rotate", "--output"});
-  return tool.run(argc, argv, [&] { return Filter(tool, variable)(surfaces); });
+  return tool.run(argc, argv, [&] { return filter_all(tool, surfaces, variable); });
 }

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "dataset/unread.hpp"
+#include "tools/cli/ordered_work.hpp"
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
-#include "tools/cli/turns.hpp"
 #include "tools/surface/drawing.hpp"
 #include "tools/surface/surface_kernel.hpp"
 
@@ -38,14 +38,14 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
   const Synthesis synthesis = o.synthesis(tool, std::move(values), distribution.heights,
                                           standing(kernel.data, o.count > 1 ? at_once : 0), at_once);
   cli::Progress progress(tool);
-  cli::Turns turns(at_once);
+  const std::string unit = o.count > 1 ? "surfaces" : "";
+  cli::OrderedWork surfaces(at_once);
   for (int k = 0; k < o.count; ++k) {
     const WhiteNoise noise(tool.seed_value(), static_cast<std::uint64_t>(o.number(k)), tool.stream_value(),
                            distribution.noise);
-    turns.add([&, k, noise] {
-      auto advanced = [&progress, &o, k](double share) {
-        cli::in_turn(
-            [&progress, &o, k, share] { progress.count(k + share, o.count, o.count > 1 ? "surfaces" : ""); });
+    surfaces.add([&, k, noise]() -> cli::Action {
+      auto advanced = [&, k](double share) {
+        if (at_once == 1) progress.count(k + share, o.count, unit);
       };
       const cli::Drawing drawing{synthesis,
                                  noise,
@@ -57,9 +57,10 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
                                  std::move(advanced)};
       const bool last = at_once == 1 && k + 1 == o.count;
       drawing.write(tool, last ? std::exchange(kernel.data, {}) : kernel.data, o.output_name(tool, k));
+      return [&, k] { progress.count(k + 1, o.count, unit); };
     });
   }
-  turns.finish();
+  surfaces.finish();
 }
 
 }  // namespace

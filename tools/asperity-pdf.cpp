@@ -1,16 +1,12 @@
 // The distribution of heights beside the Gaussian of the same mean and rms height.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <variant>
 
 #include "stats/height/distribution.hpp"
 #include "stats/height/height_steps.hpp"
 #include "stats/height/kernel_density.hpp"
-#include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
-#include "tools/cli/table.hpp"
-#include "tools/cli/turns.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/measure/height_tables.hpp"
 
@@ -108,81 +104,70 @@ void check(const cli::Tool& tool, const cli::CountedCells& part, const Options& 
                                           " beyond its bound at 0: use histogram or quantiles");
 }
 
-// Of one surface on its own range; of several on the range of all, which is added up first, the mean of each
-// row with an error by the spread between them.
-class Distribution {
- public:
-  Distribution(cli::Tool& tool, const cli::FieldOptions& field, const Options& what)
-      : tool_(tool), field_(field), what_(what) {}
+// What is counted of a surface, and how.
+struct Counting {
+  const cli::Tool& tool;
+  const cli::FieldOptions& field;
+  const Options& what;
 
-  bool needs_range() const { return what_.estimate != "quantiles"; }
-  void add_range(const Dataset& data) {
-    cli::in_turn([this, own = Values::of(read(data))] { values_.add(own); });
-  }
-
-  cli::Table table(const Dataset& data) {
-    const Counted counted = read(data);
-    alone_ = true;
-    if (needs_range()) values_.add(Values::of(counted));
-    return std::visit([&](const auto& of) { return table_of(of); }, counted);
-  }
-  void add(const cli::EnsembleMember& member) {
-    cli::in_turn([this, name = member.name,
-                  one = std::visit([&](const auto& of) { return table_of(of); }, read(member.data))] {
-      if (!mean_) mean_.emplace(content_of(one));
-      mean_->add(one, name);
-    });
-  }
-  cli::Table mean() const { return mean_->table(); }
-
- private:
   Counted read(const Dataset& data) const {
-    if (const auto part = cli::counted_cells(data, field_.variable)) {
-      check(tool_, *part, what_);
-      tool_.note(part->told());
+    if (const auto part = cli::counted_cells(data, field.variable)) {
+      check(tool, *part, what);
+      tool.note(part->told());
       return *part;
     }
-    return field_.read(tool_, data);
+    return field.read(tool, data);
   }
-
-  cli::Table table_of(const cli::CountedCells& part) const {
-    const cli::Part of(part, tool_.thread_count());
-    if (needs_range()) return cli::histogram_of(of, bins_for(what_, values_), values_.range.highest);
-    return cli::quantiles_of(of, what_.points ? what_.points : 99);
+  /// On the range of `values`, those of all surfaces; of one `alone` that has heights in steps, on these.
+  cli::Table table(const cli::CountedCells& part, const Values& values, bool) const {
+    const cli::Part of(part, tool.thread_count());
+    if (what.estimate == "histogram")
+      return cli::histogram_of(of, bins_for(what, values), values.range.highest);
+    return cli::quantiles_of(of, quantiles());
   }
-  cli::Table table_of(const Surface& surface) const {
-    const Sample of(surface, false, tool_.thread_count());
-    warn_of_few(tool_, of.size());
-    if (what_.estimate == "kernel")
-      return cli::density_of(of, bandwidth_for(what_, values_), what_.points ? what_.points : 256,
-                             values_.range);
-    if (what_.estimate == "histogram") {
-      Bins bins{bins_for(what_, values_), values_.range};
-      const HeightSteps steps = what_.bins || !alone_ ? HeightSteps{} : height_steps(surface.heights);
-      if (steps.step > 0) bins = bins_on_steps(steps, bins);
-      return cli::histogram_of(of, bins.number, bins.range);
-    }
-    return cli::quantiles_of(of, what_.points ? what_.points : 99);
+  cli::Table table(const Surface& surface, const Values& values, bool alone) const {
+    const Sample of(surface, false, tool.thread_count());
+    warn_of_few(tool, of.size());
+    if (what.estimate == "quantiles") return cli::quantiles_of(of, quantiles());
+    if (what.estimate == "kernel")
+      return cli::density_of(of, bandwidth_for(what, values), what.points ? what.points : 256, values.range);
+    Bins bins{bins_for(what, values), values.range};
+    const HeightSteps steps = what.bins || !alone ? HeightSteps{} : height_steps(surface.heights);
+    if (steps.step > 0) bins = bins_on_steps(steps, bins);
+    return cli::histogram_of(of, bins.number, bins.range);
   }
-
-  static cli::EnsembleTable::Content content_of(const cli::Table& one) {
-    const std::string &first = one.columns[0].name, &second = one.columns[1].name;
-    if (first != "share")  // a histogram, or a curve
-      return {.keys = {first},
-              .value = "density",
-              .error = second == "count" ? "density_error" : "standard_error",
-              .means = {"gaussian_density", "count", "gaussian", "share"}};
-    if (second != "normal_quantile") return {.keys = {first}, .value = second};  // of a part of the cells
-    return {.keys = {first, second}, .value = "height", .means = {"gaussian_height"}};
-  }
-
-  cli::Tool& tool_;
-  const cli::FieldOptions& field_;
-  const Options& what_;
-  Values values_ = {};
-  bool alone_ = false;
-  std::optional<cli::EnsembleTable> mean_ = {};
+  int quantiles() const { return what.points ? what.points : 99; }
 };
+
+// What of these tables has a mean over several surfaces.
+cli::EnsembleTable::Content content_of(const cli::Table& one) {
+  const std::string &first = one.columns[0].name, &second = one.columns[1].name;
+  if (first != "share")  // a histogram, or a curve
+    return {.keys = {first},
+            .value = "density",
+            .error = second == "count" ? "density_error" : "standard_error",
+            .means = {"gaussian_density", "count", "gaussian", "share"}};
+  if (second != "normal_quantile") return {.keys = {first}, .value = second};  // of a part of the cells
+  return {.keys = {first, second}, .value = "height", .means = {"gaussian_height"}};
+}
+
+// Of one surface on its own range; of several on the range of all, which is found first.
+int print_distribution(const cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
+                       cli::EnsembleInput& surfaces) {
+  what.check(tool);
+  const Counting counting{tool, field, what};
+  const bool alone = surfaces.resolve(tool) == 1, needs_range = what.estimate != "quantiles";
+  Values all;
+  if (!alone && needs_range)
+    surfaces.for_each(
+        tool, [&](const cli::EnsembleMember& member) { return Values::of(counting.read(member.data)); },
+        [&](const Values& own, const std::string&) { all.add(own); });
+  return cli::print_table(tool, surfaces, {}, &content_of, [&](const cli::EnsembleMember& member) {
+    const Counted counted = counting.read(member.data);
+    const Values values = alone && needs_range ? Values::of(counted) : all;
+    return std::visit([&](const auto& of) { return counting.table(of, values, alone); }, counted);
+  });
+}
 
 void document(cli::Tool& tool) {
   tool.essential({"--estimate", "--bins", "--bandwidth", "--rows", "--variable", "--remove-form",
@@ -233,18 +218,5 @@ int main(int argc, char** argv) {
   tool.threads();
   document(tool);
 
-  return tool.run(argc, argv, [&] {
-    what.check(tool);
-    Distribution distribution(tool, options, what);
-    if (inputs.resolve(tool) == 1) {
-      cli::print(tool, distribution.table(inputs.only(tool)));
-      return cli::done;
-    }
-    using Member = cli::EnsembleMember;
-    if (distribution.needs_range())
-      inputs.for_each(tool, [&](Member&& member) { distribution.add_range(member.data); });
-    inputs.for_each(tool, [&](Member&& member) { distribution.add(member); });
-    cli::print(tool, distribution.mean());
-    return cli::done;
-  });
+  return tool.run(argc, argv, [&] { return print_distribution(tool, options, what, inputs); });
 }

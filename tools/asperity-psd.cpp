@@ -9,12 +9,10 @@
 #include "dataset/layout.hpp"
 #include "stats/measure.hpp"
 #include "stats/measure/spectra.hpp"
-#include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/table.hpp"
-#include "tools/cli/turns.hpp"
 #include "tools/measure/field_options.hpp"
 
 using namespace asperity;
@@ -112,9 +110,14 @@ cli::Table table(const cli::Tool& tool, const Options& what, Surface surface) {
   return out;
 }
 
-// One surface: its dataset or table, with errors by theory.
-void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
-  if (!what.result.dataset()) return cli::print(tool, table(tool, what, field.read_flat(tool, data)));
+// What of these tables has a mean.
+cli::EnsembleTable::Content content_of(const cli::Table& one) {
+  if (one.columns[0].name == "direction") return {.keys = {"direction", "wave_number"}, .value = "psd"};
+  return {.keys = {"wave_number", "count"}, .value = "psd"};
+}
+
+// The dataset of one surface.
+Dataset with_psd(const cli::Tool& tool, const cli::FieldOptions& field, const Options& what, Dataset data) {
   const Surface surface = field.read_flat(tool, data);
   const DataWindows windows = what.windows(surface.grid);
   const LagField psd = power_spectrum(surface.heights, surface.grid, windows, tool.thread_count());
@@ -125,64 +128,56 @@ void measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& wha
   data.attributes.set("psd_relative_error", 1);
   data.attributes.set("psd_degrees_of_freedom", 2);
   before.tell(tool, data, "psd");
-  tool.write(data);
+  return data;
 }
 
-// Several: means, with errors by the spread between them.
-class Surfaces {
- public:
-  Surfaces(cli::Tool& tool, const cli::FieldOptions& field, const Options& what)
-      : tool_(tool), field_(field), what_(what), table_(content(what.result.result)) {}
+// That of several: the mean, with errors by the spread between them.
+Dataset mean_psd(const cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
+                 cli::EnsembleInput& surfaces, const cli::Several& several) {
+  struct One {
+    Surface surface;  ///< without its heights
+    Field psd;
+  } last;
+  cli::EnsembleField psd;
+  int number = 0;
+  surfaces.for_each(
+      tool,
+      [&](const cli::EnsembleMember& member) {
+        Surface surface = field.read_flat(tool, member.data);
+        const Field heights = std::move(surface.heights);
+        const LagField one =
+            power_spectrum(heights, surface.grid, what.windows(surface.grid), tool.thread_count());
+        Field both = over_both_signs(one, surface.grid);
+        return One{std::move(surface), std::move(both)};
+      },
+      [&](One&& one, const std::string&) {
+        psd.add(one.psd);
+        last = std::move(one), ++number;
+      },
+      several);
+  const Surface& surface = last.surface;
+  Dataset out;
+  set_grid(out, surface.grid);
+  write(out, "psd", psd.mean(), surface, "mean power spectral density of the surfaces");
+  write(out, "psd_error", psd.standard_error(), surface, "standard error of the mean power spectral density");
+  describe(out, surface, what.windows(surface.grid));
+  out.attributes.set("psd_surfaces", number);
+  return out;
+}
 
-  void add(const cli::EnsembleMember& member) {
-    tool_.detail(member.name);
-    Surface surface = field_.read_flat(tool_, member.data);
-    grids_.add(tool_, surface.grid, member.name, surface.units);
-    Field heights = std::move(surface.heights);
-    cli::in_turn([this, surface] {
-      ++surfaces_;
-      last_ = surface;
+int measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
+            cli::EnsembleInput& surfaces) {
+  what.result.check(tool);
+  const cli::Several several{.variable = field.variable, .on_one_grid = "the mean at each wave number"};
+  if (!what.result.dataset())
+    return cli::print_table(tool, surfaces, several, &content_of, [&](const cli::EnsembleMember& member) {
+      return table(tool, what, field.read_flat(tool, member.data));
     });
-    surface.heights = std::move(heights);
-    if (what_.result.dataset())
-      cli::in_turn(
-          [this, psd = over_both_signs(power_spectrum(surface.heights, surface.grid,
-                                                      what_.windows(surface.grid), tool_.thread_count()),
-                                       surface.grid)] { psd_.add(psd); });
-    else
-      cli::in_turn([this, rows = table(tool_, what_, std::move(surface)), name = member.name] {
-        table_.add(rows, name);
-      });
-  }
-  void finish() const {
-    if (surfaces_ == 0) return;
-    if (!what_.result.dataset()) return cli::print(tool_, table_.table());
-    Dataset data;
-    set_grid(data, last_.grid);
-    const Field mean = psd_.mean();
-    write(data, "psd", mean, last_, "mean power spectral density of the surfaces");
-    write(data, "psd_error", psd_.standard_error(), last_,
-          "standard error of the mean power spectral density");
-    describe(data, last_, what_.windows(last_.grid));
-    data.attributes.set("psd_surfaces", surfaces_);
-    tool_.write(data);
-  }
-
- private:
-  static cli::EnsembleTable::Content content(const std::string& result) {
-    if (result == "profiles") return {.keys = {"direction", "wave_number"}, .value = "psd"};
-    return {.keys = {"wave_number", "count"}, .value = "psd"};
-  }
-
-  cli::Tool& tool_;
-  const cli::FieldOptions& field_;
-  const Options& what_;
-  cli::EnsembleGrid grids_{"the mean at each wave number"};
-  cli::EnsembleTable table_;
-  cli::EnsembleField psd_ = {};
-  Surface last_ = {};  ///< without its heights
-  int surfaces_ = 0;
-};
+  Dataset data = surfaces.resolve(tool) == 1 ? with_psd(tool, field, what, surfaces.only(tool))
+                                             : mean_psd(tool, field, what, surfaces, several);
+  tool.write(data);
+  return cli::done;
+}
 
 void declare(cli::Tool& tool, Options& what) {
   what.result.declare(
@@ -243,13 +238,5 @@ int main(int argc, char** argv) {
   options.declare_field(tool);
   declare(tool, what);
 
-  return tool.run(argc, argv, [&] {
-    what.result.check(tool);
-    Surfaces surfaces(tool, options, what);
-    inputs.for_each(tool, [&](cli::EnsembleMember&& member) {
-      member.alone() ? measure(tool, options, what, std::move(member.data)) : surfaces.add(member);
-    });
-    surfaces.finish();
-    return cli::done;
-  });
+  return tool.run(argc, argv, [&] { return measure(tool, options, what, inputs); });
 }

@@ -10,7 +10,6 @@
 #include "tools/cli/table.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/measure/field_options.hpp"
-#include "tools/measure/twin_rows.hpp"
 #include "tools/report/page.hpp"
 
 using namespace asperity;

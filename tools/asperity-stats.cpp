@@ -3,100 +3,108 @@
 #include <optional>
 #include <set>
 
-#include "dataset/layout.hpp"
-#include "dataset/units.hpp"
-#include "stats/measure/ensemble_parameters.hpp"
-#include "tools/cli/counted_cells.hpp"
-#include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/ensemble_table.hpp"
-#include "tools/cli/turns.hpp"
+#include "tools/measure/height_tables.hpp"
 #include "tools/measure/stats_options.hpp"
-#include "tools/measure/twin_rows.hpp"
 
 using namespace asperity;
 
 namespace {
 
-// The surfaces of the command line, measured one by one.
-class Surfaces {
- public:
-  Surfaces(const cli::Tool& tool, const cli::StatsOptions& options)
-      : tool_(tool), field_(options.field), errors_(options.errors), asked_(options.checked(tool)) {}
-
-  void add(const Dataset& data, const std::string& name, bool alone) {
-    tool_.detail(name);
-    if (const auto part = cli::counted_cells(data, field_.variable)) tool_.note(part->told_of_all());
-    grids_.add(tool_, grid_of(data), name, si_unit_of(data.at(field_.variable)));
-    Surface surface = field_.read_flat(tool_, data);
-    if (surface.flat) return add_flat(surface);
-    add(Sample(std::move(surface), asked_.groups.contains(Group::hybrid), tool_.thread_count()), alone);
-  }
-  void print() const {
-    for (const std::string& group : missing_) tool_.warn(group);
-    if (!doubt_.empty()) tool_.warn(doubt_);
-    if (fewest_) warn_of_few(tool_, *fewest_);
-    if (ensemble_.surfaces() == 1) return cli::print(tool_, last_);
-    cli::print(tool_, cli::ensemble_table(ensemble_));
-  }
-
- private:
-  void add(const Sample& sample, bool alone) {
-    Parameters all;
-    for (const Group group : asked_.groups) {
-      const Parameters rows = measure(sample, group, asked_);
-      if (const std::string why = missing(rows); group == Group::hybrid && !why.empty()) {
-        // The other groups are still printed.
-        if (asked_.groups.size() == 1) throw DataError(field_.variable, why);
-        cli::in_turn([this, why] { missing_.insert(field_.variable + ": no hybrid parameters: " + why); });
-      }
-      if (group == Group::hybrid)
-        if (const std::string doubt = doubt_of_steps(sample); !doubt.empty())
-          cli::in_turn([this, doubt] { doubt_ = doubt_.empty() ? field_.variable + ": " + doubt : doubt_; });
-      if (group == Group::spatial) warn_of_decays(tool_, rows, asked_.sal_level, sample.grid());
-      all.insert(all.end(), rows.begin(), rows.end());
-    }
-    settle_errors(sample, alone, all);
-    cli::in_turn([this, size = sample.size(), all = std::move(all)] {
-      if (!fewest_ || size.effective(2) < fewest_->effective(2)) fewest_ = size;
-      ensemble_.add(all);
-      last_ = all;
-    });
-  }
-
-  void add_flat(const Surface& flat) {
-    Parameters all;
-    for (const Group group : asked_.groups)
-      for (Parameter& row : measure_flat(flat, group, asked_)) all.push_back(std::move(row));
-    cli::in_turn([this, all = std::move(all)] {
-      ensemble_.add(all);
-      last_ = all;
-    });
-  }
-
-  // As asked for by --errors.
-  void settle_errors(const Sample& sample, bool alone, Parameters& all) const {
-    if (errors_ == "none")
-      for (Parameter& p : all) {
-        p.standard_error = NAN, p.interval.reset();
-        if (std::isfinite(p.value)) p.why.clear();  // else why there is no value
-      }
-    const bool asked = errors_ == "twins";
-    if (asked || (errors_ == "auto" && alone))
-      cli::errors_by_twins(tool_, sample, asked_, asked ? TwinUse::everywhere : TwinUse::where_quick, all);
-  }
-
-  const cli::Tool& tool_;
-  const cli::FieldOptions& field_;
-  const std::string errors_;
-  const MeasureOptions asked_;
-  cli::EnsembleGrid grids_;
-  EnsembleParameters ensemble_;
-  Parameters last_;
-  // Warnings that are given once for all surfaces.
-  std::optional<EffectiveSampleSize> fewest_ = {};  ///< of the surface with the fewest independent heights
-  std::set<std::string> missing_ = {};              ///< groups without values, and why
-  std::string doubt_ = {};                          ///< of heights in steps, of the first surface
+// Of one surface.
+struct Measured {
+  Parameters rows;
+  std::optional<EffectiveSampleSize> size = {};  ///< none of a flat one
+  std::string missing = {}, doubt = {};  ///< why it has no hybrid parameters; what they are doubted for
 };
+
+// Warnings that are given once for all surfaces.
+struct Warnings {
+  std::optional<EffectiveSampleSize> fewest = {};  ///< of the surface with the fewest independent heights
+  std::set<std::string> missing = {};
+  std::string doubt = {};  ///< of the first surface that has one
+
+  void add(const Measured& one) {
+    if (!one.missing.empty()) missing.insert(one.missing);
+    if (doubt.empty()) doubt = one.doubt;
+    if (one.size && (!fewest || one.size->effective(2) < fewest->effective(2))) fewest = one.size;
+  }
+  void print(const cli::Tool& tool) const {
+    for (const std::string& group : missing) tool.warn(group);
+    if (!doubt.empty()) tool.warn(doubt);
+    if (fewest) warn_of_few(tool, *fewest);
+  }
+};
+
+// The groups asked for, with errors by theory.
+Measured measured(const cli::Tool& tool, const std::string& variable, const MeasureOptions& asked,
+                  const Sample& sample) {
+  Measured out{.rows = {}, .size = sample.size()};
+  for (const Group group : asked.groups) {
+    const Parameters rows = measure(sample, group, asked);
+    if (group == Group::hybrid) {
+      if (const std::string why = missing(rows); !why.empty()) {
+        // The other groups are still printed.
+        if (asked.groups.size() == 1) throw DataError(variable, why);
+        out.missing = variable + ": no hybrid parameters: " + why;
+      }
+      if (const std::string doubt = doubt_of_steps(sample); !doubt.empty())
+        out.doubt = variable + ": " + doubt;
+    }
+    if (group == Group::spatial) warn_of_decays(tool, rows, asked.sal_level, sample.grid());
+    out.rows.insert(out.rows.end(), rows.begin(), rows.end());
+  }
+  return out;
+}
+
+// As asked for by --errors.
+void settle_errors(const cli::Tool& tool, const std::string& errors, const MeasureOptions& asked,
+                   const Sample& sample, bool alone, Parameters& all) {
+  if (errors == "none")
+    for (Parameter& p : all) {
+      p.standard_error = NAN, p.interval.reset();
+      if (std::isfinite(p.value)) p.why.clear();  // else why there is no value
+    }
+  const bool everywhere = errors == "twins";
+  if (everywhere || (errors == "auto" && alone))
+    cli::errors_by_twins(tool, sample, asked, everywhere ? TwinUse::everywhere : TwinUse::where_quick, all);
+}
+
+Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const MeasureOptions& asked,
+                  const cli::EnsembleMember& member) {
+  const cli::FieldOptions& field = options.field;
+  if (member.alone()) tool.detail(member.name);
+  if (const auto part = cli::counted_cells(member.data, field.variable)) tool.note(part->told_of_all());
+  Surface surface = field.read_flat(tool, member.data);
+  if (surface.flat) {
+    Measured out;
+    for (const Group group : asked.groups)
+      for (Parameter& row : measure_flat(surface, group, asked)) out.rows.push_back(std::move(row));
+    return out;
+  }
+  const Sample sample(std::move(surface), asked.groups.contains(Group::hybrid), tool.thread_count());
+  Measured out = measured(tool, field.variable, asked, sample);
+  settle_errors(tool, options.errors, asked, sample, member.alone(), out.rows);
+  return out;
+}
+
+int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const cli::StatsOptions& options) {
+  const MeasureOptions asked = options.checked(tool);
+  EnsembleParameters mean;
+  Parameters last;
+  Warnings warnings;
+  surfaces.for_each(
+      tool, [&](const cli::EnsembleMember& member) { return measured(tool, options, asked, member); },
+      [&](Measured&& one, const std::string&) {
+        warnings.add(one);
+        mean.add(one.rows);
+        last = std::move(one.rows);
+      },
+      {.variable = options.field.variable});
+  warnings.print(tool);
+  mean.surfaces() == 1 ? cli::print(tool, last) : cli::print(tool, cli::ensemble_table(mean));
+  return cli::done;
+}
 
 void document(cli::Tool& tool) {
   tool.essential({"--parameters", "--profile", "--quantiles", "--material-ratio", "--sal-level",
@@ -145,12 +153,5 @@ int main(int argc, char** argv) {
   tool.threads();
   document(tool);
 
-  return tool.run(argc, argv, [&] {
-    Surfaces measured(tool, options);
-    surfaces.for_each(tool, [&](const cli::EnsembleMember& member) {
-      measured.add(member.data, member.name, member.alone());
-    });
-    measured.print();
-    return cli::done;
-  });
+  return tool.run(argc, argv, [&] { return print_parameters(tool, surfaces, options); });
 }

@@ -3,12 +3,12 @@
 #include <optional>
 
 #include "core/stopwatch.hpp"
+#include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/section.hpp"
 #include "tools/stress/maximum.hpp"
 #include "tools/stress/points.hpp"
-#include "tools/stress/several.hpp"
 #include "tools/stress/writer.hpp"
 
 using namespace asperity;
@@ -50,6 +50,36 @@ void compute(cli::Tool& tool, cli::StressOptions& options, const cli::StressSele
   cli::warn_of_yield(tool, scene, largest);
 }
 
+cli::Several several_stresses() {
+  return {.on_one_grid = "the mean over surfaces", .go_on = cli::Several::GoOn::after_bad_data};
+}
+
+// A row for each of several surfaces.
+int print_maxima(const cli::Tool& tool, cli::StressOptions& options) {
+  return cli::print_rows(tool, options.surfaces, several_stresses(),
+                         {.prefix = "stress_", .achieved = {"accurate_depth"}, .places = {"max_x", "max_y"}},
+                         [&](cli::EnsembleMember&& member) {
+                           cli::StressScene scene = cli::scene_of(options, std::move(member.data));
+                           cli::drop_results(scene.data, "stress");
+                           const StressSearch search = cli::search_of(options, scene.body.grid);
+                           const StressMaximum top = cli::find_maximum(tool, scene, search);
+                           cli::record_parameters(scene);
+                           if (search.of == Criterion::von_mises) cli::warn_of_yield(tool, scene, top.value);
+                           return cli::SurfaceResults{std::move(scene.data.attributes)};
+                         });
+}
+
+// A row for each depth, of several surfaces with the mean.
+int print_maxima_by_depth(const cli::Tool& tool, cli::StressOptions& options) {
+  const auto content_of = [&](const cli::Table&) {
+    return cli::EnsembleTable::Content{.keys = {"depth"}, .value = options.of};
+  };
+  return cli::print_table(
+      tool, options.surfaces, several_stresses(), content_of, [&](cli::EnsembleMember&& member) {
+        return cli::maxima_of(tool, options, cli::scene_of(options, std::move(member.data), tool.ranks()));
+      });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -82,13 +112,9 @@ int main(int argc, char** argv) {
   return tool.run(argc, argv, [&] {
     options.check(tool);
     const cli::StressSelection selection(options.components);
-    if (options.several()) return cli::print_several(tool, options);
-    if (!options.points.empty())
-      cli::print_points(tool, options, selection);
-    else if (options.result == "maxima")
-      cli::print(tool, cli::maxima_of(tool, options, cli::read_scene(tool, options)));
-    else
-      compute(tool, options, selection);
+    if (options.several() && options.maximum) return print_maxima(tool, options);
+    if (options.result == "maxima") return print_maxima_by_depth(tool, options);
+    options.points.empty() ? compute(tool, options, selection) : cli::print_points(tool, options, selection);
     return int{cli::done};
   });
 }

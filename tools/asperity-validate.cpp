@@ -13,7 +13,6 @@
 #include "tools/cli/heights_words.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/table.hpp"
-#include "tools/cli/turns.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/acf_table.hpp"
 
@@ -141,6 +140,26 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
   return out;
 }
 
+int validate(const cli::Tool& tool, Options& options) {
+  options.check();
+  std::optional<SpecificationTest> test;
+  cli::Progress progress(tool);
+  options.surfaces.for_each(
+      tool, [](cli::EnsembleMember&& member) { return std::move(member); },
+      [&](const cli::EnsembleMember& member, const std::string& name) {
+        if (!test) test = test_for(tool, options, member.data, progress), tool.reads(name);
+        if (member.alone()) tool.detail(name);
+        add(tool, member.data, options.variable, *test);
+      },
+      {.on_one_grid = "the test"});
+  const std::vector<TestResult> results = test->results();
+  const std::string simulated =
+      test->drawn() > 0 ? ", errors from " + counted(test->drawn(), "simulated surface") : "";
+  tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag") + simulated);
+  cli::print(tool, table_of_results(results, options.significance));
+  return joint_p(results) <= options.significance ? not_as_prescribed : int{cli::done};
+}
+
 void document(cli::Tool& tool) {
   tool.exit_status(not_as_prescribed, "the surfaces differ from the prescription");
   tool.essential({"--acf", "--rq", "--skewness", "--kurtosis", "--significance", "--variable", "--json",
@@ -185,24 +204,5 @@ int main(int argc, char** argv) {
   tool.threads();
   document(tool);
 
-  return tool.run(argc, argv, [&] {
-    options.check();
-    std::optional<SpecificationTest> test;
-    cli::Progress progress(tool);
-    cli::EnsembleGrid grids("the test");
-    options.surfaces.for_each(tool, [&](cli::EnsembleMember&& member) {
-      grids.add(tool, grid_of(member.data), member.name);
-      cli::in_turn([&, data = std::move(member.data), name = std::move(member.name)] {
-        if (!test) test = test_for(tool, options, data, progress), tool.reads(name);
-        tool.detail(name);
-        add(tool, data, options.variable, *test);
-      });
-    });
-    const std::vector<TestResult> results = test->results();
-    const std::string simulated =
-        test->drawn() > 0 ? ", errors from " + counted(test->drawn(), "simulated surface") : "";
-    tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag") + simulated);
-    cli::print(tool, table_of_results(results, options.significance));
-    return joint_p(results) <= options.significance ? not_as_prescribed : int{cli::done};
-  });
+  return tool.run(argc, argv, [&] { return validate(tool, options); });
 }

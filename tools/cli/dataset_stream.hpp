@@ -9,12 +9,14 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "dataset/netcdf.hpp"
+#include "tools/cli/ordered_work.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
 
@@ -23,10 +25,11 @@ namespace asperity::cli {
 class DatasetStream {
  public:
   /// Throws ParameterError("output", …) for a name of another format.
-  explicit DatasetStream(const std::string& name) : file_((check_dataset_name(name), name)) {}
+  explicit DatasetStream(const std::string& name)
+      : file_(std::make_shared<OutputFile>((check_dataset_name(name), name))) {}
 
   /// Whether head() may be called again: the output is a regular file, no pipe.
-  bool rewritable() const { return file_.rewritable(); }
+  bool rewritable() const { return file_->rewritable(); }
   /// The last `deferred` variables are of doubles and hold none yet. Another call replaces the head;
   /// attributes may differ in value, not in size.
   void head(const Dataset& dataset, std::size_t deferred) {
@@ -36,14 +39,14 @@ class DatasetStream {
         [&](std::string_view piece) {
           if (head_bytes_ == 0) head_bytes_ = piece.size();
           values_from_ += piece.size();
-          file_.write(piece);
+          file_->write(piece);
         },
         deferred);
   }
   /// The next values of the deferred variables.
   void values(const Eigen::Ref<const Field>& rows) {
     for (Index i = 0; i < rows.rows(); ++i)
-      file_.write(encode_values({rows.row(i).data(), static_cast<std::size_t>(rows.cols())}));
+      file_->write(encode_values({rows.row(i).data(), static_cast<std::size_t>(rows.cols())}));
   }
   /// The same from the value numbered `first` on, in any order and from several threads, where the output is
   /// rewritable. What continues other values waits for more, until flush().
@@ -60,9 +63,10 @@ class DatasetStream {
     for (const auto& [end, run] : std::exchange(waiting_, {}))
       write_run(end - static_cast<std::int64_t>(run.size() / sizeof(double)), run);
   }
+  /// The file gets its name in order (cli/ordered_work.hpp).
   void close() {
     flush();
-    file_.close();
+    in_order([file = file_] { file->close(); });
   }
 
  private:
@@ -74,7 +78,7 @@ class DatasetStream {
   }
   void write_run(std::int64_t first, const std::string& run) {
     const auto before = first * static_cast<std::int64_t>(sizeof(double));
-    file_.write_at(run, static_cast<std::int64_t>(values_from_) + before);
+    file_->write_at(run, static_cast<std::int64_t>(values_from_) + before);
   }
 
   // All that is there of a dataset without any values, which stay as they are.
@@ -82,10 +86,10 @@ class DatasetStream {
     const std::string bytes = encode_netcdf(dataset, dataset.variables.size());
     if (bytes.size() != head_bytes_)
       throw std::logic_error("a head of another length cannot replace the first one");
-    file_.rewrite(bytes);
+    file_->rewrite(bytes);
   }
 
-  OutputFile file_;
+  std::shared_ptr<OutputFile> file_;
   std::size_t head_bytes_ = 0, values_from_ = 0;
   std::map<std::int64_t, std::string> waiting_;  ///< by the number of the value that continues them
   std::mutex mutex_;                             ///< of those

@@ -7,13 +7,13 @@
 #include "core/parallel.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
+#include "tools/cli/ordered_work.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
-#include "tools/cli/turns.hpp"
 
 namespace asperity::cli {
 
@@ -21,11 +21,11 @@ thread_local std::string Tool::reading_;
 
 namespace {
 
-// The file gets its name in turn.
+// The file gets its name in order.
 void put(const Dataset& dataset, const std::string& name) {
   const auto file = std::make_shared<OutputFile>(name);
   write_netcdf(dataset, [&](std::string_view bytes) { file->write(bytes); });
-  in_turn([file] { file->close(); });
+  in_order([file] { file->close(); });
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ void Tool::writes(const std::string& option, const std::string& name) {
 
 void Tool::reads(const std::string& name, bool passed_on) const {
   reading_ = name;
-  in_turn([name] { reading_ = name; });
+  in_order([name] { reading_ = name; });
   const Identity own = identity_of_input(name);
   const auto same = outputs_.find(own);
   if (own.empty() || same == outputs_.end()) return;
@@ -117,7 +117,7 @@ void Tool::write(Dataset& dataset, const std::string& name, const std::vector<st
   sign(dataset, lines);
   const bool replaces = place_of(name).kind == Place::Kind::file;
   if (works_alone() && !replaces)  // what is written into a pipe is seen at once
-    return in_turn([name, dataset] { put(dataset, name); });
+    return in_order([name, dataset] { put(dataset, name); });
   put(dataset, name);
   write_report(dataset);
 }

@@ -13,6 +13,8 @@
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/words.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/units.hpp"
 #include "dataset/unread.hpp"
 #include "formats/format.hpp"
 #include "formats/text_numbers.hpp"
@@ -20,7 +22,6 @@
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/turns.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -125,7 +126,9 @@ std::size_t EnsembleInput::resolve(const Tool& tool) {
 
 Dataset EnsembleInput::only(const Tool& tool) {
   Dataset out;
-  for_each(tool, [&](EnsembleMember&& member) { out = std::move(member.data); });
+  for_each(
+      tool, [](EnsembleMember&& member) { return std::move(member.data); },
+      [&](Dataset&& data, const std::string&) { out = std::move(data); });
   return out;
 }
 
@@ -134,42 +137,43 @@ class EnsembleInput::Visits {
  public:
   using Read = std::function<Dataset()>;
 
-  const Run& run;
+  const Tool& tool;
 
-  explicit Visits(const Run& of) : run(of), progress_(of.tool) {}
+  Visits(const Tool& by, const Several& several, const Visit& visit)
+      : tool(by), several_(several), visit_(visit), progress_(by) {}
 
-  /// A file.
-  void add(const std::string& name, std::size_t number, std::size_t of) {
-    const Read read = [this, name] { return run.tool.read(name); };
+  /// A file; `one` has no data yet.
+  void add(EnsembleMember one) {
+    const Read read = [this, name = one.name] { return tool.read(name); };
     std::error_code none;
-    if (turns_ && std::filesystem::is_regular_file(name, none))
-      return turns_->add([this, name, number, of, read] {
-        begin(name, number, of);
-        if (std::optional<EnsembleMember> member = opened(name, number, of, read)) visit(std::move(*member));
+    if (work_ && std::filesystem::is_regular_file(one.name, none))
+      return work_->add([this, one = std::move(one), read]() mutable -> Action {
+        begin(one);
+        return opened(one, read) ? worked_on(std::move(one)) : [] {};
       });
     finish();
-    begin(name, number, of);
-    add_read(name, number, of, read);
+    begin(one);
+    add_read(one, read);
   }
-  /// Reads a surface now; the first decides how many are visited at once.
-  void add_read(const std::string& name, std::size_t number, std::size_t of, const Read& read) {
-    std::optional<EnsembleMember> member = opened(name, number, of, read);
-    if (!member) return;
-    if (!turns_) turns_.emplace(of > 1 ? datasets_at_once(run.tool, shape_of(member->data)) : 1);
-    turns_->add([this, one = std::move(*member)]() mutable { visit(std::move(one)); });
+  /// Reads a surface now; the first decides how many are worked on at once.
+  void add_read(EnsembleMember one, const Read& read) {
+    if (!opened(one, read)) return;
+    if (!work_) work_.emplace(one.alone() ? 1 : datasets_at_once(tool, shape_of(one.data)));
+    work_->add([this, one = std::move(one)]() mutable { return worked_on(std::move(one)); });
   }
-  void begin(const std::string& name, std::size_t number, std::size_t of) {
-    if (of > 1) {
-      run.tool.about(name);
-      in_turn([this, number, of] {
-        progress_.count(static_cast<double>(number - 1), static_cast<double>(of), "surfaces");
+  void begin(const EnsembleMember& one) {
+    if (!one.alone()) {
+      tool.about(one.name);
+      in_order([this, done = static_cast<double>(one.number - 1), of = static_cast<double>(one.of)] {
+        progress_.count(done, of, "surfaces");
       });
     }
-    run.tool.reads(name, of == 1 && run.tool.result_is_dataset());
+    tool.reads(one.name, one.alone() && tool.result_is_dataset());
   }
-  /// Until all so far have been told of.
-  void finish() {
-    if (turns_) turns_->finish();
+  /// Until the results of all so far are taken; the worst exit code.
+  int finish() {
+    if (work_) work_->finish();
+    return worst_;
   }
 
  private:
@@ -180,35 +184,98 @@ class EnsembleInput::Visits {
     };
     return {points("x"), points("y")};
   }
-  // Nothing of one that cannot be read, if the others go on.
-  std::optional<EnsembleMember> opened(const std::string& name, std::size_t number, std::size_t of,
-                                       const Read& read) const try {
-    return EnsembleMember{read(), name, number, of};
-  } catch (const DataError& error) {
-    if (of == 1 || !run.failed) throw;
-    in_turn([this, name, why = run.tool.in_file(error)] { run.failed(name, why); });
-    return std::nullopt;
+  bool others_go_on(const EnsembleMember& after) const {
+    return !after.alone() && several_.go_on != Several::GoOn::never;
   }
-  // A large one among small ones has all threads, in its turn.
-  void visit(EnsembleMember&& member) const {
-    if (!works_alone() || !is_worth_all_threads(shape_of(member.data))) return run.visit(std::move(member));
-    in_turn([this, one = std::move(member)]() mutable { run.visit(std::move(one)); });
+  // False of one that cannot be read, if the others go on.
+  bool opened(EnsembleMember& one, const Read& read) try {
+    one.data = read();
+    return true;
+  } catch (const DataError& error) {
+    if (!others_go_on(one)) throw;
+    in_order(failed(one.name, tool.in_file(error), bad_data));
+    return false;
+  }
+  // A large one among small ones has all threads, in its order.
+  Action worked_on(EnsembleMember&& one) {
+    if (!works_alone() || !is_worth_all_threads(shape_of(one.data))) return result_of(std::move(one));
+    return [this, one = std::move(one)]() mutable { result_of(std::move(one))(); };
+  }
+  Action result_of(EnsembleMember&& one) {
+    if (!one.alone()) tool.detail(one.name);
+    check_likeness(one);
+    const std::string name = one.name;
+    const bool go_on = others_go_on(one);
+    try {
+      return [this, take = visit_(std::move(one))] { worst_ = std::max(worst_, take()); };
+    } catch (const DataError& error) {
+      if (!go_on) throw;
+      return failed(name, tool.in_file(error), bad_data);
+    } catch (const ParameterError& error) {
+      if (!go_on || several_.go_on != Several::GoOn::after_any_error) throw;
+      return failed(name, "`" + error.name + "`: " + error.what(), usage_error);
+    }
+  }
+  Action failed(const std::string& name, const std::string& why, int code) {
+    tool.warn(why);
+    return [this, name, code] {
+      worst_ = std::max(worst_, code);
+      several_.failed(name);
+    };
   }
 
+  struct Like {
+    Grid grid;
+    std::string file, unit;
+  };
+  void check_likeness(const EnsembleMember& one) {
+    const std::string& variable = several_.variable;
+    if (variable.empty() && several_.on_one_grid.empty()) return;
+    Like own{grid_of(one.data), one.name, ""};
+    if (!variable.empty()) own.unit = si_unit_of(one.data.at(variable));
+    in_order([this, own = std::move(own)] { compare_with_first(own); });
+  }
+  void compare_with_first(const Like& one) {
+    if (!first_) first_ = one;
+    if (one.unit != first_->unit)
+      throw DataError(one.file, "its unit, " + one.unit + ", differs from that of " + first_->file + ", " +
+                                    first_->unit + ": quantities of different kinds cannot be averaged");
+    const std::string both = "its grid, " + described(one.grid) + ", differs from that of " + first_->file +
+                             ", " + described(first_->grid);
+    if (!same_spacing(one.grid, first_->grid))
+      throw DataError(one.file,
+                      both +
+                          ": parameters depend on the spacing and cannot be averaged; measure the surfaces "
+                          "separately, or thin the finer one (asperity-filter --decimate)");
+    if (warned_ || same_grid(one.grid, first_->grid)) return;
+    if (!several_.on_one_grid.empty())
+      throw DataError(one.file, both + ": " + several_.on_one_grid + " needs surfaces of one grid");
+    warned_ = true;
+    tool.warn(
+        one.file + ": " + both +
+        ": extremes, correlation lengths and all errors depend on the size, but each surface has the same "
+        "weight in the mean");
+  }
+
+  const Several& several_;
+  const Visit& visit_;
+  std::optional<Like> first_ = {};
+  bool warned_ = false;  ///< of another size
   Progress progress_;
-  std::optional<Turns> turns_ = {};  ///< from the first surface on
+  int worst_ = done;
+  std::optional<OrderedWork> work_ = {};  ///< from the first surface on
 };
 
-// The dataset on standard input, one of so many. It is kept for another visit.
-void EnsembleInput::visit_standard_input(Visits& visits, std::size_t number, std::size_t of) {
-  const Run& run = visits.run;
-  if (of > 1) run.tool.about("-");
-  run.tool.reads("-", of == 1 && run.tool.result_is_dataset());
-  if (!piped_) piped_ = piped(run.tool);
+// The bytes are kept for another visit.
+void EnsembleInput::visit_standard_input(Visits& visits, const EnsembleMember& one) {
+  const Tool& tool = visits.tool;
+  visits.finish();
+  visits.begin(one);
+  if (!piped_) piped_ = piped(tool);
   const bool names = look_like_names(*piped_);
-  visits.add_read("-", number, of, [&]() -> Dataset {
+  visits.add_read(one, [&, alone = one.alone()]() -> Dataset {
     try {
-      return of > 1 ? run.tool.read(*piped_, "-") : run.tool.read(std::move(*std::exchange(piped_, {})), "-");
+      return alone ? tool.read(std::move(*std::exchange(piped_, {})), "-") : tool.read(*piped_, "-");
     } catch (const DataError& error) {
       if (!names) throw;
       throw DataError(error.name, std::string(error.what()) + ". For a list of files say --files-from -");
@@ -216,46 +283,17 @@ void EnsembleInput::visit_standard_input(Visits& visits, std::size_t number, std
   });
 }
 
-void EnsembleInput::visit_all(const Run& run) {
-  resolve(run.tool);
-  Visits visits(run);
-  for (std::size_t k = 0; k < files.size(); ++k)
-    if (files[k] == "-")
-      visit_standard_input(visits, k + 1, files.size());
-    else
-      visits.add(files[k], k + 1, files.size());
-  visits.finish();
-  run.tool.about("");
-}
-
-void EnsembleGrid::add(const Tool& tool, const Grid& grid, const std::string& file, const std::string& unit) {
-  in_turn([this, &tool, grid, file, unit] { compare(tool, grid, file, unit); });
-}
-
-void EnsembleGrid::compare(const Tool& tool, const Grid& grid, const std::string& file,
-                           const std::string& unit) {
-  if (!first_) {
-    first_ = grid;
-    file_ = file;
-    unit_ = unit;
+int EnsembleInput::visit_all(const Tool& tool, const Several& several, const Visit& visit) {
+  resolve(tool);
+  Visits visits(tool, several, visit);
+  std::size_t number = 0;
+  for (const std::string& name : files) {
+    const EnsembleMember one{{}, name, ++number, files.size()};
+    name == "-" ? visit_standard_input(visits, one) : visits.add(one);
   }
-  if (unit != unit_)
-    throw DataError(file, "its unit, " + unit + ", differs from that of " + file_ + ", " + unit_ +
-                              ": quantities of different kinds cannot be averaged");
-  const std::string both =
-      "its grid, " + described(grid) + ", differs from that of " + file_ + ", " + described(*first_);
-  if (!same_spacing(grid, *first_))
-    throw DataError(file,
-                    both +
-                        ": parameters depend on the spacing and cannot be averaged; measure the surfaces "
-                        "separately, or thin the finer one (asperity-filter --decimate)");
-  if (warned_ || same_grid(grid, *first_)) return;
-  if (!alike_.empty()) throw DataError(file, both + ": " + alike_ + " needs surfaces of one grid");
-  warned_ = true;
-  tool.warn(
-      file + ": " + both +
-      ": extremes, correlation lengths and all errors depend on the size, but each surface has the same "
-      "weight in the mean");
+  const int worst = visits.finish();
+  tool.about("");
+  return worst;
 }
 
 }  // namespace asperity::cli

@@ -1,5 +1,9 @@
-/// The surfaces that a tool reads one by one: files or patterns on the command line, those of a list, or a
+/// The surfaces that a tool works on one by one: files or patterns on the command line, those of a list, or a
 /// dataset on standard input.
+///
+///     surfaces.for_each(
+///         tool, [&](EnsembleMember&& member) { return measured(tool, member.data); },  // on its own thread
+///         [&](Parameters&& found, const std::string& name) { mean.add(found); });      // in input order
 ///
 /// Bytes are data: only --files-from takes them for names. Whoever names a list names its files, so that an
 /// error may quote them. A pattern that matches nothing, a file that cannot be opened, and a file that is
@@ -7,11 +11,15 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/field.hpp"
+#include "tools/cli/ordered_work.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -25,7 +33,23 @@ struct EnsembleMember {
   bool alone() const { return of == 1; }
 };
 
-struct EnsembleInput {
+/// What holds where there are several surfaces.
+struct Several {
+  /// Whose unit all must have, and their grids the same spacing, on which slopes, curvatures, peaks and
+  /// correlation lengths depend. Surfaces of different sizes estimate the same quantities with different
+  /// errors: they give one warning.
+  std::string variable = {};
+  /// "the mean at each lag": what needs surfaces of one grid, and refuses others.
+  std::string on_one_grid = {};
+
+  /// After which errors of one surface the others go on: its file or data, or also an option that does not
+  /// fit it. The error becomes a warning, `failed(name)` takes the place of a result.
+  enum class GoOn { never, after_bad_data, after_any_error } go_on = GoOn::never;
+  std::function<void(const std::string& name)> failed = [](const std::string&) {};
+};
+
+class EnsembleInput {
+ public:
   std::vector<std::string> files;
 
   /// INPUT, any number of them, --files-from, and the options of Tool::input_format().
@@ -42,54 +66,38 @@ struct EnsembleInput {
   /// The surface, where there is one.
   Dataset only(const Tool& tool);
 
-  using Visit = std::function<void(EnsembleMember&&)>;
-  using Failed = std::function<void(const std::string& name, const std::string& why)>;
-
-  /// Calls visit(member) for each surface. Of small ones several are visited at once: whatever they share,
-  /// they leave to their turn (cli/turns.hpp). What comes from a pipe is read in its turn. Of a surface that
-  /// is alone, --output may take the place, as of Tool::read(). After resolve(), several surfaces can be
-  /// visited again.
-  void for_each(const Tool& tool, const Visit& visit) { visit_all({tool, visit, {}}); }
-  /// The same; where there are several, one that cannot be read is told to `failed`, in its turn, and the
-  /// others go on.
-  void for_each(const Tool& tool, const Visit& visit, const Failed& failed) {
-    visit_all({tool, visit, failed});
+  /// Calls work(member) for each surface, and take(result, name) with what it returns: in the order of the
+  /// input, on this thread. Of small surfaces several are worked on at once. What work() says and writes
+  /// appears in order, too (cli/ordered_work.hpp); what comes from a pipe is read in order. Of a surface that
+  /// is alone, --output may take the place, as of Tool::read(). --verbose names each of several. After
+  /// resolve(), several surfaces can be visited again.
+  ///
+  /// Returns the worst exit code: of those that failed, and of what take() returns, if it returns one. Throws
+  /// DataError(file, …) where the surfaces do not go together, with both grids or units.
+  template <class Work, class Take>
+  int for_each(const Tool& tool, const Work& work, const Take& take, const Several& several = {}) {
+    return visit_all(tool, several, [&](EnsembleMember&& member) {
+      const std::string name = member.name;
+      using Result = std::invoke_result_t<Work, EnsembleMember&&>;
+      const auto result = std::make_shared<Result>(work(std::move(member)));
+      return [&take, name, result]() -> int {
+        if constexpr (std::is_same_v<std::invoke_result_t<Take, Result&&, const std::string&>, int>)
+          return take(std::move(*result), name);
+        else
+          return take(std::move(*result), name), done;
+      };
+    });
   }
 
  private:
   class Visits;
-  struct Run {
-    const Tool& tool;
-    const Visit& visit;
-    Failed failed;  ///< empty: an error ends the run
-  };
-  void visit_all(const Run& run);
-  void visit_standard_input(Visits& visits, std::size_t number, std::size_t of);
+  using Visit = std::function<std::function<int()>(EnsembleMember&&)>;
+  int visit_all(const Tool& tool, const Several& several, const Visit& visit);
+  void visit_standard_input(Visits& visits, const EnsembleMember& one);
 
   std::string list_ = {};
   bool resolved_ = false;
   std::optional<Bytes> piped_ = {};  ///< the dataset on standard input
-};
-
-/// Checks that a mean over the surfaces is meaningful. Slopes, curvatures, peaks and correlation lengths
-/// depend on the spacing: surfaces of different spacings are refused, and so are fields of different units.
-/// Surfaces of different sizes estimate the same quantities with different errors: one warning, or an error
-/// where something needs surfaces of one grid.
-class EnsembleGrid {
- public:
-  /// `alike`, "the test": what needs them; "": nothing does.
-  explicit EnsembleGrid(std::string alike = "") : alike_(std::move(alike)) {}
-  /// The grid of the next surface, and the unit of its field; throws DataError(file, …) with both grids or
-  /// units if it does not fit the first; in turn.
-  void add(const Tool& tool, const Grid& grid, const std::string& file, const std::string& unit = "m");
-
- private:
-  void compare(const Tool& tool, const Grid& grid, const std::string& file, const std::string& unit);
-
-  std::string alike_;
-  std::optional<Grid> first_;
-  std::string file_, unit_;
-  bool warned_ = false;
 };
 
 }  // namespace asperity::cli

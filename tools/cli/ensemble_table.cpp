@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "core/error.hpp"
+#include "dataset/catalogue.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -79,7 +82,7 @@ void EnsembleTable::add_further(const Table& table, const std::string& name, boo
 }
 
 void EnsembleTable::add(const Table& table, const std::string& file) {
-  if (surfaces_++ == 0) first_ = table, file_ = file;
+  if (surfaces_++ == 0) first_ = table, file_ = file, content_ = content_of_(table);
   check_keys(table, file);
   values_.add(numbers_in(table, content_.value));
   if (column_of(table, content_.error)) square_errors_.add(numbers_in(table, content_.error).square());
@@ -111,9 +114,118 @@ Table EnsembleTable::table() const {
   return out;
 }
 
+void EnsembleTable::print(const Tool& tool) const {
+  if (surfaces_ > 0) cli::print(tool, table());
+}
+
+int print_table(const Tool& tool, EnsembleInput& surfaces, const Several& several,
+                const EnsembleTable::ContentOf& content,
+                const std::function<Table(EnsembleMember&&)>& table_of_one) {
+  const bool alone = surfaces.resolve(tool) == 1;
+  EnsembleTable mean(content);
+  const auto take = [&](const Table& one, const std::string& name) {
+    alone ? print(tool, one) : mean.add(one, name);
+  };
+  const int code = surfaces.for_each(tool, table_of_one, take, several);
+  mean.print(tool);
+  return code;
+}
+
 void EnsembleField::add(const Field& field) {
   rows_ = field.rows();
   values_.add(Eigen::Map<const Eigen::ArrayXd>(field.data(), field.size()));
+}
+
+// ---- a row for each surface ----
+
+namespace {
+
+struct SurfaceRow {
+  std::string surface;
+  SurfaceResults results;
+};
+using SurfaceRows = std::vector<SurfaceRow>;
+
+struct ResultColumn {
+  std::string attribute;
+  Column column;
+  bool averaged;
+};
+
+// Nothing of a text or of several numbers.
+std::optional<double> number_in(const Values& values) {
+  if (std::holds_alternative<std::string>(values)) return std::nullopt;
+  const std::vector<double> all = numbers(values);
+  return all.size() == 1 ? std::optional(all[0]) : std::nullopt;
+}
+
+bool among(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::ranges::any_of(names, [&](std::string_view one) { return fits(one, name); });
+}
+
+// In the order of the catalogue. "yes" of 0 or 1 has a mean: the share.
+std::vector<ResultColumn> result_columns(const SurfaceRows& rows, const RowContent& content) {
+  std::set<std::string> present;
+  for (const SurfaceRow& row : rows)
+    for (const Attribute& a : row.results.attributes)
+      if (a.name.starts_with(content.prefix) && number_in(a.values)) present.insert(a.name);
+  std::vector<ResultColumn> out;
+  for (const KnownAttribute& known : known_attributes())
+    for (const std::string& name : present) {
+      if (known_attribute(name) != &known) continue;
+      const std::string shown = name.substr(content.prefix.size());
+      const bool result = known.role == Role::result && !among(content.without, shown);
+      if (!result && !among(content.achieved, shown)) continue;
+      const std::string unit = known.unit == "yes" ? "1" : std::string(known.unit);
+      out.push_back({name, {shown, unit, Holds::open}, result && !among(content.places, shown)});
+    }
+  return out;
+}
+
+double value_in(const SurfaceRow& row, const ResultColumn& column) {
+  if (column.column.name == "converged") return row.results.converged ? 1 : 0;
+  const Values* values = row.results.attributes.find(column.attribute);
+  return values == nullptr ? NAN : number_in(*values).value_or(NAN);
+}
+
+Table table_of(const SurfaceRows& rows, const RowContent& content) {
+  const std::vector<ResultColumn> columns = result_columns(rows, content);
+  Table out{{{"surface", ""}}, {}};
+  for (const ResultColumn& c : columns) out.columns.push_back(c.column);
+  Eigen::ArrayXd averaged = Eigen::ArrayXd::Constant(std::ssize(columns), NAN);
+  Ensemble ensemble;
+  ensemble.add(averaged);  // where none converged
+  const auto add_row = [&](const std::string& name, const auto& values) {
+    out.rows.push_back({name});
+    for (const double value : values) out.rows.back().emplace_back(value);
+  };
+  for (const SurfaceRow& row : rows) {
+    std::vector<double> values;
+    for (const ResultColumn& c : columns) {
+      values.push_back(value_in(row, c));
+      if (c.averaged) averaged(std::ssize(values) - 1) = values.back();
+    }
+    if (row.results.converged) ensemble.add(averaged);
+    add_row(row.surface, values);
+  }
+  add_row("mean", ensemble.mean());
+  add_row("standard_error", ensemble.standard_error());
+  return out;
+}
+
+}  // namespace
+
+int print_rows(const Tool& tool, EnsembleInput& surfaces, Several several, const RowContent& content,
+               const std::function<SurfaceResults(EnsembleMember&&)>& results_of_one) {
+  SurfaceRows rows;
+  several.failed = [&](const std::string& name) { rows.push_back({name, {{}, false}}); };
+  const auto take = [&](SurfaceResults&& one, const std::string& name) {
+    rows.push_back({name, std::move(one)});
+    return rows.back().results.code;
+  };
+  const int code = surfaces.for_each(tool, results_of_one, take, several);
+  print(tool, table_of(rows, content));
+  return code;
 }
 
 }  // namespace asperity::cli

@@ -1,48 +1,58 @@
-/// Tables over an ensemble: the mean of what is printed for one surface, with its standard error.
+/// Tables over an ensemble: the mean of what is printed for one surface, with its standard error; or a row
+/// for each surface.
 ///
 /// For each value: the mean over the surfaces that have it, the standard error of this mean, the spread
 /// between surfaces, the spread expected from the errors of the single surfaces, and the number of surfaces
 /// (stats/sample/ensemble.hpp, stats/measure/ensemble_parameters.hpp).
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/field.hpp"
 #include "stats/measure/ensemble_parameters.hpp"
 #include "stats/sample/ensemble.hpp"
+#include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/table.hpp"
 
 namespace asperity::cli {
 
-/// One parameter a row.
+// ---- a row for each parameter ----
+
 Table ensemble_table(const EnsembleParameters& parameters);
+
+// ---- the rows of one surface, averaged ----
 
 /// Tables of one surface each, such as an ACF over its lags, averaged row by row.
 class EnsembleTable {
  public:
   /// The columns of the single tables. The mean of `value` gets a column of this name, and the error of the
-  /// mean a column `error`; if the single tables have errors of this name, the spread between surfaces is set
-  /// beside the one expected from them. Those of `others` are averaged with a NAME_standard_error, those of
+  /// mean a column `error`; if the single tables have errors of this name, the spread expected from them
+  /// follows the spread between surfaces. Those of `others` are averaged with a NAME_standard_error, those of
   /// `means` without an error, where the tables have them; other columns are left out.
   struct Content {
     std::vector<std::string> keys;  ///< columns that are the same for all surfaces
     std::string value, error = "standard_error";
     std::vector<std::string> others = {}, means = {};
   };
-  explicit EnsembleTable(Content content) : content_(std::move(content)) {}
+  using ContentOf = std::function<Content(const Table& first)>;
+  explicit EnsembleTable(ContentOf content) : content_of_(std::move(content)) {}
 
   /// Throws DataError(file, …) unless its keys and its unit are those of the first table.
   void add(const Table& table, const std::string& file);
-  int surfaces() const { return surfaces_; }
   /// Keys, value, error, others, means, and spread, expected_spread, surfaces of the value.
   Table table() const;
+  /// Nothing where none was added.
+  void print(const Tool& tool) const;
 
  private:
   void check_keys(const Table& table, const std::string& file) const;
   void add_further(const Table& table, const std::string& name, bool with_error);
 
-  Content content_;
+  ContentOf content_of_;
+  Content content_ = {};
   Table first_ = {};
   std::string file_ = {};  ///< of the first
   Ensemble values_ = {}, square_errors_ = {};
@@ -54,6 +64,11 @@ class EnsembleTable {
   std::vector<Further> further_ = {};
   int surfaces_ = 0;
 };
+
+/// Prints the table of one surface, or the mean over those of several; returns the worst exit code.
+int print_table(const Tool& tool, EnsembleInput& surfaces, const Several& several,
+                const EnsembleTable::ContentOf& content,
+                const std::function<Table(EnsembleMember&&)>& table_of_one);
 
 /// A field of every surface, averaged point by point.
 class EnsembleField {
@@ -70,5 +85,28 @@ class EnsembleField {
   Ensemble values_ = {};
   Index rows_ = 1;
 };
+
+// ---- a row for each surface ----
+
+/// The columns are the numbers that the tool records as attributes, in the order of the catalogue
+/// (dataset/catalogue.hpp): whatever a run adds to its datasets, its rows have too.
+struct RowContent {
+  std::string_view prefix;                      ///< of the attributes, "contact_"
+  std::vector<std::string_view> without = {};   ///< results that get no column; may end in *
+  std::vector<std::string_view> achieved = {};  ///< further columns, without a mean
+  std::vector<std::string_view> places = {};    ///< results without a mean
+};
+
+struct SurfaceResults {
+  Attributes attributes;
+  bool converged = true;  ///< else it is not in the mean
+  int code = done;
+};
+
+/// Prints a row for each of several surfaces, then rows "mean" and "standard_error", by the spread between
+/// the converged surfaces. One that fails as `several` allows is a row of unknown numbers. Returns the worst
+/// exit code.
+int print_rows(const Tool& tool, EnsembleInput& surfaces, Several several, const RowContent& content,
+               const std::function<SurfaceResults(EnsembleMember&&)>& results_of_one);
 
 }  // namespace asperity::cli

@@ -27,14 +27,15 @@ class SharedFields::Served : public std::enable_shared_from_this<Served> {
 
   // On the first rank.
   void stop() const { ask({.field = -1}); }
-  // On the others, until they are told to stop.
+  // On the others, until it says so.
   void serve() const {
-    for (Request request = heard(); request.field >= 0; request = heard()) answer(request, {});
+    for (Request request = heard(); request.field >= 0; request = heard()) answer(request);
   }
 
  private:
+  // Values of a field, by their numbers. Field -1: that was all.
   struct Request {
-    Index field = 0, begin = 0, end = 0;  // values
+    Index field = 0, begin = 0, end = 0;
   };
   class Rows : public Source {
    public:
@@ -44,7 +45,7 @@ class SharedFields::Served : public std::enable_shared_from_this<Served> {
       const auto begin = static_cast<Index>(at / bytes);
       const Request request{field_, begin, begin + static_cast<Index>(to.size() / bytes)};
       of_->ask(request);
-      of_->answer(request, to);
+      std::ranges::copy(of_->answer(request), to.begin());
     }
 
    private:
@@ -52,46 +53,22 @@ class SharedFields::Served : public std::enable_shared_from_this<Served> {
     Index field_;
   };
 
-  const Ranks& ranks() const { return slabs.ranks(); }
-  std::size_t all() const { return static_cast<std::size_t>(ranks().count()); }
+  // The first rank asks, the others hear it.
+  void ask(const Request& request) const { gathered(slabs.ranks(), std::vector{request}); }
+  Request heard() const { return gathered(slabs.ranks(), std::vector<Request>{}).front(); }
 
-  void ask(const Request& request) const {
-    Request self;
-    Ranks::Room from(all());
-    from.front() = std::as_writable_bytes(std::span(&self, 1));
-    ranks().exchange(Ranks::Pieces(all(), std::as_bytes(std::span(&request, 1))), from);
-  }
-  Request heard() const {
-    Request out;
-    Ranks::Room from(all());
-    from.front() = std::as_writable_bytes(std::span(&out, 1));
-    ranks().exchange(Ranks::Pieces(all()), from);
-    return out;
-  }
-
-  // The values of the request that a rank has.
-  Request part_of(const Request& request, int rank, Index columns) const {
-    const Extent rows = slabs.of(rank);
-    const Index begin = std::clamp(rows.first * columns, request.begin, request.end);
-    return {request.field, begin, std::max(begin, std::min(rows.end() * columns, request.end))};
-  }
-  // Everybody's values to the first rank.
-  void answer(const Request& request, std::span<char> to) const {
+  // The first rank gets the values, as bytes of the file, from those that have their rows.
+  std::string answer(const Request& request) const {
     const Field& own = fields[size(request.field)];
-    const Request mine = part_of(request, ranks().rank(), own.cols());
-    const double* values = own.data() + (mine.begin - slabs.own().first * own.cols());
-    const std::string bytes = encode_values({values, size(mine.end - mine.begin)});
-    Ranks::Pieces pieces(all());
-    pieces.front() = std::as_bytes(std::span(bytes));
-    Ranks::Room room(all());
-    if (ranks().rank() == 0)
-      for (int r = 0; r < ranks().count(); ++r) {
-        const Request theirs = part_of(request, r, own.cols());
-        room[static_cast<std::size_t>(r)] =
-            std::as_writable_bytes(to.subspan(size(theirs.begin - request.begin) * sizeof(double),
-                                              size(theirs.end - theirs.begin) * sizeof(double)));
-      }
-    ranks().exchange(pieces, room);
+    Extent rows;
+    if (slabs.ranks().rank() == 0) {
+      const Index columns = own.cols(), first = request.begin / columns;
+      rows = {first, (request.end + columns - 1) / columns - first};
+    }
+    const Field whole = rows_of(own, slabs, rows);
+    if (whole.size() == 0) return {};
+    return encode_values(
+        {whole.data() + (request.begin - rows.first * own.cols()), size(request.end - request.begin)});
   }
 };
 

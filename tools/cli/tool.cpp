@@ -18,12 +18,12 @@
 #include "dataset/netcdf.hpp"
 #include "tools/cli/config.hpp"
 #include "tools/cli/hints.hpp"
+#include "tools/cli/ordered_work.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/sandbox.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/turns.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -63,6 +63,20 @@ std::string with_options(std::string text) {
     at += option.size();
   }
   return text;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// What two warnings of one kind have in common.
+std::string without_numbers(const std::string& text) {
+  std::string out;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    const bool exponent = c == 'e' && k > 0 && is_digit(text[k - 1]) && k + 1 < text.size() &&
+                          (is_digit(text[k + 1]) || text[k + 1] == '-' || text[k + 1] == '+');
+    if (!is_digit(c) && c != '.' && c != '-' && c != '+' && !exponent) out += c;
+  }
+  return out;
 }
 
 // Copies would write one file.
@@ -174,22 +188,47 @@ int Tool::run(int argc, char** argv, const std::function<int()>& body) {
 
 bool Tool::output_is_terminal() const { return output_ == "-" && stdout_is_terminal(); }
 
+std::optional<std::string> Tool::Repeated::first(const std::string& surface, const std::string& text) {
+  const bool named = text.starts_with(surface + ": ");
+  const std::string own = named ? text.substr(surface.size() + 2) : text, words = without_numbers(own);
+  if (!seen_.insert(surface + ": " + own).second) return std::nullopt;
+  const auto known = std::ranges::find(kinds_, words, &Kind::words);
+  if (known == kinds_.end()) {
+    kinds_.push_back({words});
+    return surface + ": " + own;
+  }
+  ++known->more;
+  known->surface = surface;
+  known->text = own;
+  return std::nullopt;
+}
+
+std::vector<std::string> Tool::Repeated::rest() {
+  std::vector<std::string> out;
+  for (const auto& [words, more, surface, text] : std::exchange(kinds_, {}))
+    if (more == 1)
+      out.push_back(surface + ": " + text);
+    else if (more > 1)
+      out.push_back(counted(more, "more surface") + ", up to " + surface + ": " + text);
+  return out;
+}
+
 void Tool::warn(const std::string& text) const {
-  in_turn([this, text] {
+  in_order([this, text] {
     const std::optional<std::string> line = subject_.empty() ? text : warnings_.first(subject_, text);
     if (line) say(name_ + ": warning: " + with_options(*line));
   });
 }
 
 void Tool::note(const std::string& text) const {
-  in_turn([this, text] {
+  in_order([this, text] {
     const std::optional<std::string> line = subject_.empty() ? text : notes_.first(subject_, text);
     if (line && !quiet_) say(name_ + ": " + with_options(*line));
   });
 }
 
 void Tool::about(const std::string& surface) const {
-  in_turn([this, surface] {
+  in_order([this, surface] {
     subject_ = surface;
     if (!surface.empty()) return;
     for (const std::string& line : warnings_.rest()) warn(line);
@@ -198,7 +237,7 @@ void Tool::about(const std::string& surface) const {
 }
 
 void Tool::detail(const std::string& text) const {
-  if (verbose_) in_turn([text] { say(text); });
+  if (verbose_) in_order([text] { say(text); });
 }
 
 }  // namespace asperity::cli

@@ -24,6 +24,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +37,6 @@
 #include "dataset/memory_bound.hpp"
 #include "tools/cli/input_format.hpp"
 #include "tools/cli/quantity.hpp"
-#include "tools/cli/repeated.hpp"
 
 namespace CLI {
 class App;
@@ -220,7 +220,8 @@ class Tool {
   /// several.
   void settle(Dataset& dataset, const std::string& name = "-") const;
   void write(Dataset& dataset);  ///< to --output, after history, source and --report
-  /// To another file, which gets its name in turn (cli/turns.hpp). `lines`: what the run did, as of sign().
+  /// To another file, which gets its name in order (cli/ordered_work.hpp). `lines`: what the run did, as of
+  /// sign().
   void write(Dataset& dataset, const std::string& name, const std::vector<std::string>& lines = {}) const;
   /// Throws UsageError(option, …) where `what`, "a contact of 64x64 cells", needs more than --memory allows.
   void require_memory(double bytes, const std::string& option, const std::string& what,
@@ -233,13 +234,13 @@ class Tool {
   std::string in_file(const DataError& error) const;
   bool output_is_terminal() const;
   void write_text(const std::string& text) const;  ///< to --output, every byte checked
-  /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it. Each
-  /// is said in turn, and so is about().
+  /// One line on stderr, "TOOL: text"; a warning is printed even with --quiet, a note only without it. Those
+  /// of several datasets come in the order of these (cli/ordered_work.hpp), and so does about().
   void warn(const std::string& text) const;
   void note(const std::string& text) const;
   void detail(const std::string& text) const;  ///< with --verbose only
-  /// From here on, warnings and notes are about one of several surfaces, and like ones are told once; of "":
-  /// those that came again are told, and the others are about the run.
+  /// From here on, warnings and notes are about one of several surfaces: of those that differ in numbers
+  /// alone the first is printed, the others are counted. After "": about the run; the counts are printed.
   void about(const std::string& surface) const;
 
  private:
@@ -285,6 +286,24 @@ class Tool {
   std::optional<std::uint64_t> seed_;
   static thread_local std::string reading_;  ///< the last file that was, on this thread
   mutable std::string subject_;              ///< of warnings: one of several surfaces
+  // Warnings or notes of several surfaces.
+  class Repeated {
+   public:
+    /// The line to print now, "s_1.nc: text"; none if one of other numbers has been printed, or this for the
+    /// same surface.
+    std::optional<std::string> first(const std::string& surface, const std::string& text);
+    /// A line for each kind that came again, "3 more surfaces, up to s_9.nc: text"; begins anew.
+    std::vector<std::string> rest();
+
+   private:
+    struct Kind {
+      std::string words;  ///< without numbers
+      int more = 0;
+      std::string surface = {}, text = {};  ///< of the last
+    };
+    std::vector<Kind> kinds_;
+    std::set<std::string> seen_ = {};
+  };
   mutable Repeated warnings_, notes_;
   const Ranks* ranks_ = &alone();
   mutable std::string last_words_;  ///< of what ends the run

@@ -156,15 +156,11 @@ void SweepDoubts::tell(const Tool& tool) const {
                             more == 1 ? "" : "s", seen.last));
 }
 
-int told_exit(const Tool& tool, const ContactOptions& options, const Contact& contact,
-              const std::string& of) {
-  if (!contact.converged) tool.warn(of + "not converged: " + contact.reason);
-  const bool stiff = !options.contact.stiffness || !std::isnan(contact.stiffness);
-  if (contact.converged && !stiff)
-    tool.warn(of + fmt::format(
-                       "the stiffness is not converged: residual {:.1e} above {:.0e}; see --max-convolutions",
-                       contact.stiffness_residual, stiffness_tolerance));
-  return contact.converged && stiff ? done : not_converged;
+std::string unconverged(const ContactOptions& options, const Contact& contact) {
+  if (!contact.converged) return "not converged: " + contact.reason;
+  if (!options.contact.stiffness || !std::isnan(contact.stiffness)) return "";
+  return fmt::format("the stiffness is not converged: residual {:.1e} above {:.0e}; see --max-convolutions",
+                     contact.stiffness_residual, stiffness_tolerance);
 }
 
 }  // namespace asperity::cli

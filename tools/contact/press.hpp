@@ -107,7 +107,7 @@ class SweepDoubts {
   std::map<std::string_view, Seen> seen_ = {};
 };
 
-/// Warns where a contact, named by `of`, "20 N: ", has not converged; returns the exit code.
-int told_exit(const Tool& tool, const ContactOptions& options, const Contact& contact, const std::string& of);
+/// Why a contact, or a stiffness that was asked for, has not converged; "" of one that has.
+std::string unconverged(const ContactOptions& options, const Contact& contact);
 
 }  // namespace asperity::cli

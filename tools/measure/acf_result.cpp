@@ -109,32 +109,24 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
 
 // ---- several surfaces ----
 
-AcfEnsemble::AcfEnsemble(AcfContent content)
-    : content_(std::move(content)),
-      profiles_({.keys = {"direction", "lag"},
-                 .value = "acf",
-                 .others = {"structure_function"},
-                 .means = {"target"}}) {}
-
-void AcfEnsemble::add_profiles(const AcfResult& result, const std::string& file) {
-  profiles_.add(acf_profiles(result, content_), file);
-}
-
-void AcfEnsemble::add_function(const AcfResult& result) {
+void AcfEnsemble::add(const AcfResult& result, const Parameters& lengths, bool function) {
   const AcfEstimate& estimate = result.estimate;
+  grid_ = estimate.grid();
+  lengths_.add(lengths);
+  if (!function) return;
   acf_.add((content_.absolute ? estimate.variance : 1) * estimate.rho.half_plane());
   if (result.structure) structure_.add(result.structure->half_plane());
   structured_ = result.structure.has_value();
   scalars_.add(Eigen::Array3d{estimate.variance, result.moments.ssk, result.moments.sku});
 }
 
-Dataset AcfEnsemble::dataset(const Grid& grid) const {
+Dataset AcfEnsemble::dataset() const {
   Dataset out;
-  set_grid(out, grid);
+  set_grid(out, grid_);
   out.attributes.set("acf_variable", content_.variable);
   out.attributes.set("acf_surfaces", lengths_.surfaces());
   const Field acf = acf_.mean();
-  Writer writer(out, grid, content_);
+  Writer writer(out, grid_, content_);
   writer.acf(acf, "mean autocorrelation of the surfaces");
   writer.error(acf_.standard_error());
   if (structured_) writer.structure(structure_.mean());

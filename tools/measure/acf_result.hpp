@@ -44,20 +44,18 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
 /// The same over an ensemble: the mean of each, and acf_error, here that of the mean ACF.
 class AcfEnsemble {
  public:
-  explicit AcfEnsemble(AcfContent content);
-  /// Only what is to be written needs to be added.
-  void add_profiles(const AcfResult& result, const std::string& file);
-  void add_lengths(const Parameters& lengths) { lengths_.add(lengths); }
-  void add_function(const AcfResult& result);
+  explicit AcfEnsemble(AcfContent content) : content_(std::move(content)) {}
+  /// `function`: the ACF itself too, for a dataset.
+  void add(const AcfResult& result, const Parameters& lengths, bool function);
 
-  Table profiles() const { return profiles_.table(); }
+  const Grid& grid() const { return grid_; }
   const EnsembleParameters& lengths() const { return lengths_; }
   /// A dataset without heights, on the grid of the surfaces.
-  Dataset dataset(const Grid& grid) const;
+  Dataset dataset() const;
 
  private:
   AcfContent content_;
-  EnsembleTable profiles_;
+  Grid grid_ = {};  ///< of the last surface
   EnsembleParameters lengths_ = {};
   EnsembleField acf_ = {}, structure_ = {};
   Ensemble scalars_ = {};  ///< variance, Ssk, Sku

@@ -4,13 +4,17 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "acf/table.hpp"
 #include "core/error.hpp"
+#include "core/stopwatch.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "tools/cli/heights_words.hpp"
 #include "tools/cli/output_name.hpp"
+#include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/measure/preparation_words.hpp"
 #include "tools/surface/marginal.hpp"
@@ -162,6 +166,22 @@ void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
             " independent points: standard errors and intervals " +
             (size.gives_errors() ? "are rough, and cannot be given below " : "cannot be given below ") +
             shortest(least) + "; measure a larger field, or filter out waviness (--lambda-c)");
+}
+
+void errors_by_twins(const Tool& tool, const Sample& sample, const MeasureOptions& asked, TwinUse use,
+                     Parameters& parameters) {
+  const Stopwatch watch;
+  Progress progress(tool);
+  TwinOptions options{.threads = tool.thread_count()};
+  options.each = [&](Index done) {
+    progress.count(static_cast<double>(done), static_cast<double>(options.twins), "twins");
+  };
+  if (!asperity::errors_by_twins(sample, asked, use, options, parameters))
+    tool.note("what lacks a standard error has one by asperity-stats --errors twins");
+  const auto count = std::ranges::count_if(parameters, [](const Parameter& p) { return !p.source.empty(); });
+  if (count > 0)
+    tool.detail(fmt::format("errors of {} from {} twins in {:.2g} s", counted(count, "parameter"),
+                            options.twins, watch.seconds()));
 }
 
 bool warn_of_length(const Tool& tool, const std::string& name, double length, const Grid& grid) {

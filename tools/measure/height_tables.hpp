@@ -1,15 +1,18 @@
 /// Tables of the distribution of the heights of a field beside the Gaussian of the same mean and Sq, or of a
-/// quantity that only a part of the cells has (tools/cli/counted_cells.hpp) beside none.
+/// quantity of a contact that only a part of the cells has, beside none.
 #pragma once
 
 #include <optional>
+#include <string>
 
+#include "dataset/dataset.hpp"
 #include "stats/height/distribution.hpp"
 #include "stats/measure/sample.hpp"
-#include "tools/cli/counted_cells.hpp"
 #include "tools/cli/table.hpp"
 
 namespace asperity::cli {
+
+// ---- a whole field ----
 
 /// Columns: height, count, standard_error, low_95, high_95, gaussian, misfit, density, density_error,
 /// gaussian_density.
@@ -19,6 +22,27 @@ Table histogram_of(const Sample& heights, int bins, std::optional<HeightRange> r
 Table density_of(const Sample& heights, double bandwidth, int rows, std::optional<HeightRange> range = {});
 /// Columns: share, normal_quantile, height, standard_error, low_95, high_95, gaussian_height, misfit.
 Table quantiles_of(const Sample& heights, int rows);
+
+// ---- the pressure of the cells in contact, the gap of the open ones ----
+
+struct CountedCells {
+  std::string variable, units;
+  Grid grid;
+  Field values;         ///< NaN on the other cells
+  double cells = 0;     ///< that are not missing
+  double counted = 0;   ///< of them
+  std::string which;    ///< "in contact" or "open"
+  std::string without;  ///< what the others are: "open, without pressure"
+
+  /// "pressure of the 3152 cells that are in contact; the other 95.2 % of 65536 cells …".
+  std::string told() const;
+  /// The same where all cells are measured, and what counts these alone.
+  std::string told_of_all() const;
+};
+
+/// Of the variables pressure, and gap where a contact or a pressure tells which cells are open; of others
+/// nothing. Throws DataError where no cell is counted.
+std::optional<CountedCells> counted_cells(const Dataset& data, const std::string& variable);
 
 /// A part of the cells, and the sample of their values; none where all are the same, which have no errors.
 struct Part {

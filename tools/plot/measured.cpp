@@ -2,8 +2,8 @@
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
-#include "tools/cli/counted_cells.hpp"
 #include "tools/measure/field_options.hpp"
+#include "tools/measure/height_tables.hpp"
 
 namespace asperity::plot {
 

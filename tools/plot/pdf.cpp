@@ -7,7 +7,7 @@
 #include "stats/height/distribution.hpp"
 #include "stats/height/height_steps.hpp"
 #include "stats/measure/sample.hpp"
-#include "tools/cli/counted_cells.hpp"
+#include "tools/measure/height_tables.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "tools/cli/counted_cells.hpp"
+#include "tools/measure/height_tables.hpp"
 #include "tools/plot/figure.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/parts.hpp"

@@ -9,7 +9,6 @@
 #include "tools/cli/heights_words.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/turns.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -30,7 +29,7 @@ Range range_of(const RunningMoments& moments) {
 class Writer {
  public:
   Writer(const Drawing& drawing, const Tool& tool, Dataset data, const std::string& name)
-      : drawing_(drawing), tool_(tool), data_(std::move(data)), file_(std::make_shared<DatasetStream>(name)) {
+      : drawing_(drawing), tool_(tool), data_(std::move(data)), out_(name) {
     layers_.push_back({"heights", {"m", "height"}, heights(), {}});
     if (drawing.with_noise)
       layers_.push_back({"noise",
@@ -39,7 +38,6 @@ class Writer {
                          {}});
   }
 
-  // The file gets its name in turn.
   void write() {
     const bool survey_first = kept_.size() > 0 || drawing_.exact_rq || !out_.rewritable();
     passes_ = static_cast<double>(layers_.size() * (survey_first && kept_.size() == 0 ? 2 : 1));
@@ -60,7 +58,7 @@ class Writer {
       record();
       out_.head(data_, layers_.size());
     }
-    in_turn([file = file_] { file->close(); });
+    out_.close();
     warn_of_proportions(tool_, proportions);
     tool_.write_report(data_);
   }
@@ -125,8 +123,7 @@ class Writer {
   const Tool& tool_;
   Dataset data_;
   const Stopwatch watch_;
-  std::shared_ptr<DatasetStream> file_;
-  DatasetStream& out_ = *file_;
+  DatasetStream out_;
   std::vector<Layer> layers_;
   Field kept_;
   double done_ = 0, passes_ = 1;  ///< over the rows

@@ -20,7 +20,7 @@ struct Drawing {
   std::size_t memory;  ///< bytes that the work and, where it fits, the surface may take
   std::function<void(double share)> progress;  ///< told how much of it is done
 
-  /// Into the file of this name, which it gets in turn (cli/turns.hpp); `data` has the grid and the
+  /// Into the file of this name, which it gets in order (cli/ordered_work.hpp); `data` has the grid and the
   /// autocorrelation.
   void write(const Tool& tool, Dataset data, const std::string& name) const;
 };

@@ -1,4 +1,4 @@
-#include "tools/cli/turns.hpp"
+#include "tools/cli/ordered_work.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -17,7 +17,7 @@ constexpr Index most_cells = 1024 * 1024;
 constexpr double bytes_a_cell = 512;  // a contact takes 110, profiles' tables more
 constexpr int most_at_once = 64;      // files without a name; cli/temporary.cpp has room for 256
 
-thread_local std::vector<Action>* left_to_turn = nullptr;
+thread_local std::vector<Action>* left_by_piece = nullptr;
 
 }  // namespace
 
@@ -31,13 +31,13 @@ int datasets_at_once(const Tool& tool, Shape shape) {
 
 bool is_worth_all_threads(Shape shape) { return shape.cells() > most_cells; }
 
-void in_turn(Action action) {
-  if (left_to_turn == nullptr) return action();
-  left_to_turn->push_back(std::move(action));
+void in_order(Action action) {
+  if (left_by_piece == nullptr) return action();
+  left_by_piece->push_back(std::move(action));
 }
 
 // Where the system gives no thread, those that there are do the work, or add() does.
-Turns::Turns(int at_once) : at_once_(static_cast<std::size_t>(at_once)) {
+OrderedWork::OrderedWork(int at_once) : at_once_(static_cast<std::size_t>(at_once)) {
   if (at_once == 1) return;
   try {
     while (threads_.size() < at_once_)
@@ -47,43 +47,45 @@ Turns::Turns(int at_once) : at_once_(static_cast<std::size_t>(at_once)) {
   }
 }
 
-Turns::~Turns() {
+OrderedWork::~OrderedWork() {
   for (std::jthread& thread : threads_) thread.request_stop();
 }
 
-void Turns::serve(const std::stop_token& stop) {
+void OrderedWork::serve(const std::stop_token& stop) {
   work_alone();
   for (;;) {
     std::unique_lock lock(mutex_);
-    const bool any = added_.wait(lock, stop, [this] { return begun_ < parts_.size(); });
+    const bool any = added_.wait(lock, stop, [this] { return begun_ < pieces_.size(); });
     if (!any || stop.stop_requested()) return;
-    Part& part = *parts_[begun_++];
+    Piece& piece = *pieces_[begun_++];
     lock.unlock();
-    left_to_turn = &part.left;
-    part.work();
+    left_by_piece = &piece.left;
+    piece.work();
   }
 }
 
-void Turns::add(Action work) {
-  if (threads_.empty()) return work();
-  while (parts_.size() >= 2 * at_once_) tell_first();
+void OrderedWork::add(std::function<Action()> work) {
+  if (threads_.empty()) return work()();
+  while (pieces_.size() >= 2 * at_once_) take_first();
   {
     const std::scoped_lock lock(mutex_);
-    auto all = [work = std::move(work)]() mutable { std::exchange(work, {})(); };  // and what it holds
-    parts_.push_back(std::make_unique<Part>(std::move(all)));
+    auto all = [work = std::move(work)]() mutable {
+      in_order(std::exchange(work, {})());
+    };  // and what it holds
+    pieces_.push_back(std::make_unique<Piece>(std::move(all)));
   }
   added_.notify_one();
 }
 
-void Turns::finish() {
-  while (!parts_.empty()) tell_first();
+void OrderedWork::finish() {
+  while (!pieces_.empty()) take_first();
 }
 
-void Turns::tell_first() {
-  parts_.front()->end.wait();
+void OrderedWork::take_first() {
+  pieces_.front()->end.wait();
   std::unique_lock lock(mutex_);
-  const std::unique_ptr<Part> first = std::move(parts_.front());
-  parts_.pop_front();
+  const std::unique_ptr<Piece> first = std::move(pieces_.front());
+  pieces_.pop_front();
   --begun_;
   lock.unlock();
   for (Action& action : first->left) std::exchange(action, {})();

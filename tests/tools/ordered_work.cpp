@@ -1,5 +1,5 @@
-// Several datasets worked on at once: nobody can tell it from one after the other.
-#include "tools/cli/turns.hpp"
+// Several datasets worked on at once: the output is that of one after the other.
+#include "tools/cli/ordered_work.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -52,67 +52,70 @@ void check_alike(const std::string& line, int exit) {
 
 }  // namespace
 
-// The later, the sooner done: each waits for a turn.
-TEST_CASE("datasets that are done in any order are told of in their own, few of them waiting",
-          "[turns][law]") {
+// The later, the sooner done: each waits for those before it.
+TEST_CASE("results that are ready in any order are taken in that of the work, few of them waiting",
+          "[ordered_work][law]") {
   constexpr int at_once = 4, datasets = 40;
   std::vector<int> order;
-  std::atomic<int> begun = 0, told = 0, most = 0;
-  cli::Turns turns(at_once);
+  std::atomic<int> begun = 0, taken = 0, most = 0;
+  cli::OrderedWork all(at_once);
   for (int k = 0; k < datasets; ++k)
-    turns.add([&, k] {
-      const int under_way = ++begun - told;
+    all.add([&, k] {
+      const int under_way = ++begun - taken;
       if (under_way > most) most = under_way;
       std::this_thread::sleep_for(milliseconds(k % at_once == 0 ? 8 : 1));
-      cli::in_turn([&, k] {
+      return [&, k] {
         order.push_back(k);
-        ++told;
-      });
+        ++taken;
+      };
     });
-  turns.finish();
+  all.finish();
   REQUIRE(order.size() == datasets);
   for (int k = 0; k < datasets; ++k) CHECK(order[static_cast<std::size_t>(k)] == k);
   CHECK(most <= 2 * at_once);
   CHECK(most >= at_once);  // they do go on at once
 }
 
-TEST_CASE("an error of a dataset ends the run in its turn, and nothing behind it is told",
-          "[turns][contract]") {
-  std::vector<int> told;
+TEST_CASE("an error comes in order, after what its work has said, and nothing of later work is seen",
+          "[ordered_work][contract]") {
+  std::vector<int> said, taken;
   const auto run = [&] {
-    cli::Turns turns(3);
+    cli::OrderedWork all(3);
     for (int k = 0; k < 20; ++k)
-      turns.add([&, k] {
+      all.add([&, k] {
         std::this_thread::sleep_for(milliseconds(k == 5 ? 10 : 0));
-        cli::in_turn([&, k] { told.push_back(k); });
+        cli::in_order([&, k] { said.push_back(k); });
         if (k == 5 || k == 6) throw std::runtime_error("dataset " + std::to_string(k));
+        return [&, k] { taken.push_back(k); };
       });
-    turns.finish();
+    all.finish();
   };
   CHECK_THROWS_WITH(run(), "dataset 5");
-  CHECK(told == std::vector<int>{0, 1, 2, 3, 4, 5});
+  CHECK(said == std::vector<int>{0, 1, 2, 3, 4, 5});
+  CHECK(taken == std::vector<int>{0, 1, 2, 3, 4});
 }
 
 TEST_CASE("a thread that works alone begins no others, and takes one for all of the machine",
-          "[turns][contract]") {
-  cli::Turns turns(2);
+          "[ordered_work][contract]") {
+  cli::OrderedWork all(2);
   std::vector<int> workers, threads;
   for (int k = 0; k < 2; ++k)
-    turns.add([&] {
+    all.add([&] {
       int pieces = 0;
       parallel_ranges(100, 8, [&](Index, Index, int) { ++pieces; });
-      cli::in_turn([&, pieces, resolved = resolve_threads(0)] {
+      return [&, pieces, resolved = resolve_threads(0)] {
         workers.push_back(pieces);
         threads.push_back(resolved);
-      });
+      };
     });
-  turns.finish();
+  all.finish();
   CHECK(workers == std::vector<int>{1, 1});
   CHECK(threads == std::vector<int>{1, 1});
   CHECK(!works_alone());
 }
 
-TEST_CASE("tables and messages of many surfaces are the same from one worker and from four", "[turns][law]") {
+TEST_CASE("tables and messages of many surfaces are the same from one worker and from four",
+          "[ordered_work][law]") {
   draw();
   const std::string press = "--radius 5mm --young 208GPa --poisson 0.3 --threads THREADS ";
   const std::string head = "asperity-", all = " --threads THREADS t_*.nc ";
@@ -130,7 +133,7 @@ TEST_CASE("tables and messages of many surfaces are the same from one worker and
 }
 
 // The history has the number of threads.
-TEST_CASE("datasets of many surfaces are the same from one worker and from four", "[turns][law]") {
+TEST_CASE("datasets of many surfaces are the same from one worker and from four", "[ordered_work][law]") {
   draw();
   const std::string sums =
       " ; for f in d_*.nc; do echo $f $(LC_ALL=C sed 's/threads [14]/threads N/' $f | md5sum); done; rm "
@@ -148,7 +151,8 @@ TEST_CASE("datasets of many surfaces are the same from one worker and from four"
 }
 
 // Of surfaces on a sphere, each before the other: a window that one has left would do for the other.
-TEST_CASE("a contact has the same bits whatever surfaces were pressed before it", "[turns][contact][law]") {
+TEST_CASE("a contact has the same bits whatever surfaces were pressed before it",
+          "[ordered_work][contact][law]") {
   require(
       "for rq in 0.1 0.4 0.8 1.6; do asperity-generate -q --shape 128x128 --size 3mm --rq ${rq}um "
       "--model gaussian --length 12px --seed 3 -o w_$rq.nc; done");
@@ -164,7 +168,7 @@ TEST_CASE("a contact has the same bits whatever surfaces were pressed before it"
     }
 }
 
-TEST_CASE("a surface that fails among others is told of in its turn", "[turns][contract]") {
+TEST_CASE("the error of a surface among others comes in order", "[ordered_work][contract]") {
   draw();
   require(
       "cp t_05.nc u_05.nc; for k in 1 2 3 4 6 7 8 9; do cp t_0$k.nc u_0$k.nc; done; "
@@ -184,8 +188,16 @@ TEST_CASE("a surface that fails among others is told of in its turn", "[turns][c
   check_alike("asperity-psd --result radial --threads THREADS u_*.nc", 4);
 }
 
+// Those of the first were said to be about "-".
+TEST_CASE("messages of the files before standard input name these files", "[ordered_work][contract]") {
+  draw();
+  check_alike(
+      "cat t_02.nc | asperity-filter --scale 2 t_01.nc - t_03.nc --threads THREADS -o piped_%d.nc; rm piped_*", 0);
+  check_alike("cat t_05.nc | head -c 700 | asperity-stats --threads THREADS t_01.nc t_02.nc - t_03.nc", 4);
+}
+
 // A limit of the size of files, which the third one exceeds.
-TEST_CASE("what stands before a failed write is written, and nothing behind it", "[turns][contract]") {
+TEST_CASE("what comes before a failed write is written, and nothing after it", "[ordered_work][contract]") {
   require(
       "for k in 1 2 3 4 5 6 7 8; do side=32; [ $k = 3 ] && side=128; asperity-generate -q --shape "
       "${side}x$side --size 1mm --rq 0.4um --length 3px --seed $k -o x_$k.nc; done");
@@ -199,7 +211,7 @@ TEST_CASE("what stands before a failed write is written, and nothing behind it",
 }
 
 TEST_CASE("contacts that do not converge are blank in the table, and the run ends with 3",
-          "[turns][contract]") {
+          "[ordered_work][contract]") {
   draw();
   check_alike(
       "asperity-contact --radius 5mm --young 208GPa --poisson 0.3 --load 2N --max-convolutions 3 --threads "
@@ -208,7 +220,7 @@ TEST_CASE("contacts that do not converge are blank in the table, and the run end
 }
 
 // The second comes when the first has been written, which else is never.
-TEST_CASE("the first map is written before the second has come", "[turns][contract]") {
+TEST_CASE("the first map is written before the second has come", "[ordered_work][contract]") {
   draw();
   const Outcome run = shell(
       "rm -f z_*.nc; mkfifo slow; trap 'rm slow' EXIT; asperity-filter --threads 2 --remove-form plane "
@@ -219,7 +231,7 @@ TEST_CASE("the first map is written before the second has come", "[turns][contra
 }
 
 // Nobody ever writes into the pipe, and a thread that reads it would never end.
-TEST_CASE("an error ends the run though the next surface has not come", "[turns][contract]") {
+TEST_CASE("an error ends the run though the next surface has not come", "[ordered_work][contract]") {
   draw();
   const Outcome run = shell(
       "head -c 700 t_05.nc > cut.nc; mkfifo never; trap 'rm never' EXIT; timeout 20 asperity-stats --threads "
