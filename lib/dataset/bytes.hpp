@@ -32,7 +32,7 @@ class Bytes {
 };
 
 /// Throws DataError(variable, …) with the number of bytes that follow a dataset or a map, unless all are
-/// zeros of padding: `cat a.nc b.nc | asperity-stats` would otherwise ignore the second dataset.
+/// zeros of padding: of two files that `cat` joins, the second would otherwise be ignored.
 void refuse_rest(std::string_view rest, const std::string& variable);
 
 }  // namespace asperity

@@ -53,7 +53,7 @@ void refuse_part_of_axis(const Variable& axis, const std::vector<double>& points
   if (std::abs(range[1] - range[0]) <= 1e-6 * std::abs(axis.attributes.number("length", 0))) return;
   throw DataError(axis.name,
                   "only one point is left of those in actual_range, and length does not fit it: correct both "
-                  "attributes, or crop the whole dataset with asperity-convert");
+                  "attributes, or crop the whole dataset");
 }
 
 // An axis must be evenly spaced, wherever its length comes from.

@@ -128,7 +128,7 @@ std::ptrdiff_t count_if(const Variable& variable, const std::function<bool(doubl
 void refuse_missing(const Dataset& strip, const Dataset& whole, const Variable& all, const Field& values) {
   const auto refuse = [&](std::ptrdiff_t number, std::string_view how) {
     if (number > 0)
-      throw DataError(all.name, fmt::format("{} {}: fill or crop the map with asperity-filter",
+      throw DataError(all.name, fmt::format("{} {}: fill or crop the map (`fill`, `crop`)",
                                             counted(number, "point"), how));
   };
   const auto masked = [](double v) { return v != 0; };

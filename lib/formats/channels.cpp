@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "formats/map.hpp"
 #include "formats/refuse.hpp"
-#include "formats/text_labels.hpp"
 
 namespace asperity {
 namespace {

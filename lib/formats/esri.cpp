@@ -20,29 +20,29 @@
 #include "formats/format.hpp"
 #include "formats/head.hpp"
 #include "formats/refuse.hpp"
+#include "formats/text_head.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
-#include "formats/text_units.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr std::string_view blanks = " \t";
+constexpr std::string_view key_ends = " \t";
 constexpr double usual_nodata = -9999;
 
 bool begins_with_letter(std::string_view line) {
   return !line.empty() && std::isalpha(static_cast<unsigned char>(line.front())) != 0 &&
-         !number_of(line.substr(0, line.find_first_of(blanks)));
+         !number_of(line.substr(0, line.find_first_of(key_ends)));
 }
 
 // Removes the header from the bytes.
-Head head_of(std::string_view& bytes) {
+Head take_grid_head(std::string_view& bytes) {
   const std::string_view all = bytes;
   for (std::string_view next = bytes; begins_with_letter(trimmed(take_line(next)));) bytes = next;
-  return {all.substr(0, all.size() - bytes.size()), blanks};
+  return {all.substr(0, all.size() - bytes.size()), key_ends};
 }
 
-std::array<double, 2> spacing_of(const Head& head) {
+std::array<double, 2> cell_sizes(const Head& head) {
   const bool apart = head.has("dx") || head.has("dy"), cell = !apart || head.has("cellsize");
   const double side = cell ? head.positive("cellsize") : 0;
   const std::array out{apart ? head.positive("dx") : side, apart ? head.positive("dy") : side};
@@ -66,25 +66,26 @@ double nodata_of(const Field& values) {
   return out;
 }
 
-bool recognises(std::string_view bytes) {
+bool is_esri(std::string_view bytes) {
   bytes = bytes.substr(0, 4096);
-  const Head head = head_of(bytes);
+  const Head head = take_grid_head(bytes);
   return head.has("ncols") && head.has("nrows");
 }
 
-Map decode(std::string_view bytes, const Reading& reading) {
+Map decode_esri(std::string_view bytes, const Reading& reading) {
   const std::string_view all = bytes;
-  const Head head = head_of(bytes);
+  const Head head = take_grid_head(bytes);
   const Shape shape{head.count("ncols"), head.count("nrows")};
-  Map map{.values = field_of_lines(bytes, shape, head.lines() + 1, reading), .spacing = spacing_of(head)};
+  Map map{.values = field_of_lines(bytes, shape, head.lines() + 1, reading), .spacing = cell_sizes(head)};
   map.values = map.values.rowwise().reverse().eval();
   remove_missing(map.values, head);
-  const std::string unit = unit_of_values(head_lines(all.substr(0, all.size() - bytes.size())), "", reading);
+  const std::string unit =
+      unit_of_values(numbered_lines(all.substr(0, all.size() - bytes.size())), "", reading);
   if (!unit.empty()) set_units(map, unit);
   return map;
 }
 
-std::string encode(const Map& map, Order) {
+std::string encode_esri(const Map& map, Order) {
   check_heights(map, "an ESRI grid");
   const auto [dx, dy] = map.spacing;
   const double nodata = nodata_of(map.values);
@@ -98,6 +99,6 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::esri{"esri", "asc", "ESRI ASCII grid", recognises, decode, encode};
+const Format format::esri{"esri", "asc", "ESRI ASCII grid", is_esri, decode_esri, encode_esri};
 
 }  // namespace asperity

@@ -23,36 +23,36 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view magic = "Gwyddion Simple Field 1.0\n";
+constexpr std::string_view gsf_magic = "Gwyddion Simple Field 1.0\n";
 constexpr Raster floats{.type = NumberType::float32};
 
-double spacing_of(const Head& head, std::string_view key, Index points) {
+double gsf_spacing(const Head& head, std::string_view key, Index points) {
   const double size = head.has(key) ? head.positive(key) : 1;
   const std::string_view unit = head.text("XYUnits");
   return unit.empty() ? Map::unknown : size * metres_per(unit) / static_cast<double>(points);
 }
 
-bool recognises(std::string_view bytes) { return bytes.starts_with(magic); }
+bool is_gsf(std::string_view bytes) { return bytes.starts_with(gsf_magic); }
 
-Map decode(std::string_view bytes, const Reading& reading) {
-  if (!recognises(bytes)) refuse("the file is not a Gwyddion Simple Field");
+Map decode_gsf(std::string_view bytes, const Reading& reading) {
+  if (!is_gsf(bytes)) refuse("the file is not a Gwyddion Simple Field");
   const std::size_t end = bytes.find('\0');
   if (end == bytes.npos) refuse_cut_header();
-  const Head head(bytes.substr(magic.size(), end - magic.size()), "=");
+  const Head head(bytes.substr(gsf_magic.size(), end - gsf_magic.size()), "=");
   const Shape shape{head.count("XRes"), head.count("YRes")};
   const std::string_view numbers = bytes.substr(std::min(4 * (end / 4 + 1), bytes.size()));
   Map map{.values = field_from(numbers, shape, floats, reading.memory),
           .title = std::string(head.text("Title"))};
-  map.spacing = {spacing_of(head, "XReal", shape.nx), spacing_of(head, "YReal", shape.ny)};
+  map.spacing = {gsf_spacing(head, "XReal", shape.nx), gsf_spacing(head, "YReal", shape.ny)};
   leave_out_infinite(map);
   if (const std::string_view units = head.text("ZUnits"); !units.empty()) set_units(map, units);
   return map;
 }
 
-std::string encode(const Map& map, Order) {
+std::string encode_gsf(const Map& map, Order) {
   const auto [nx, ny] = shape_of(map.values);
   const double lx = map.spacing[0] * static_cast<double>(nx), ly = map.spacing[1] * static_cast<double>(ny);
-  std::string out = fmt::format("{}XRes = {}\nYRes = {}\n", magic, nx, ny);
+  std::string out = fmt::format("{}XRes = {}\nYRes = {}\n", gsf_magic, nx, ny);
   if (std::isfinite(map.spacing[0]) && std::isfinite(map.spacing[1]))
     out += fmt::format("XReal = {}\nYReal = {}\nXYUnits = m\n", shortest(lx), shortest(ly));
   if (!map.units.empty()) out += fmt::format("ZUnits = {}\n", one_line(map.units));
@@ -63,7 +63,7 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::gsf{"gsf",  "gsf",           "Gwyddion Simple Field, 32-bit floats", recognises, decode,
-                         encode, Numbers::singles};
+const Format format::gsf{
+    "gsf", "gsf", "Gwyddion Simple Field, 32-bit floats", is_gsf, decode_gsf, encode_gsf, Numbers::singles};
 
 }  // namespace asperity

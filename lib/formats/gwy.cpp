@@ -34,7 +34,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view magic = "GWYP", old_magic = "GWYO", field_class = "GwyDataField";
+constexpr std::string_view gwy_magic = "GWYP", old_magic = "GWYO", field_class = "GwyDataField";
 constexpr std::size_t most_channels = 4096;
 
 // ---- reading ----
@@ -46,7 +46,7 @@ struct GwyField {
 };
 
 template <class T>
-T number_in(const GwyComponent& c) {
+T gwy_number(const GwyComponent& c) {
   return number_from<T>(c.value.data(), std::endian::little);
 }
 
@@ -61,10 +61,10 @@ GwyField field_in(std::string_view body) {
   GwyField out;
   GwyComponents parts(body);
   while (const auto c = parts.next()) {
-    if (c->name == "xres" && c->type == 'i') out.shape.nx = number_in<std::int32_t>(*c);
-    if (c->name == "yres" && c->type == 'i') out.shape.ny = number_in<std::int32_t>(*c);
-    if (c->name == "xreal" && c->type == 'd') out.size[0] = number_in<double>(*c);
-    if (c->name == "yreal" && c->type == 'd') out.size[1] = number_in<double>(*c);
+    if (c->name == "xres" && c->type == 'i') out.shape.nx = gwy_number<std::int32_t>(*c);
+    if (c->name == "yres" && c->type == 'i') out.shape.ny = gwy_number<std::int32_t>(*c);
+    if (c->name == "xreal" && c->type == 'd') out.size[0] = gwy_number<double>(*c);
+    if (c->name == "yreal" && c->type == 'd') out.size[1] = gwy_number<double>(*c);
     if (c->name == "si_unit_xy" && c->type == 'o') out.unit_xy = unit_in(c->value);
     if (c->name == "si_unit_z" && c->type == 'o') out.unit = unit_in(c->value);
     if (c->name == "data" && c->type == 'D') out.data = c->value;
@@ -96,7 +96,7 @@ std::map<Index, Parts> channels_in(std::string_view body) {
   return out;
 }
 
-double spacing_of(double size, Index points, std::string_view unit, std::string_view name) {
+double gwy_spacing(double size, Index points, std::string_view unit, std::string_view name) {
   if (unit.empty()) return Map::unknown;
   if (!(size > 0 && std::isfinite(size))) refuse("{} {} of the channel is not positive", name, size);
   return size * metres_per(unit) / static_cast<double>(points);
@@ -114,23 +114,23 @@ void leave_out_masked(Field& values, const GwyField& mask) {
           Map::unknown;
 }
 
-Map map_of(const Parts& parts, const MemoryBound& memory) {
+Map map_of_parts(const Parts& parts, const MemoryBound& memory) {
   const GwyField field = field_in(parts.data);
   Map map{.values = field_from(field.data, field.shape, {}, memory), .title = std::string(parts.title)};
   if (!parts.mask.empty()) leave_out_masked(map.values, field_in(parts.mask));
   leave_out_infinite(map);
-  map.spacing = {spacing_of(field.size[0], field.shape.nx, field.unit_xy, "xreal"),
-                 spacing_of(field.size[1], field.shape.ny, field.unit_xy, "yreal")};
+  map.spacing = {gwy_spacing(field.size[0], field.shape.nx, field.unit_xy, "xreal"),
+                 gwy_spacing(field.size[1], field.shape.ny, field.unit_xy, "yreal")};
   if (!field.unit.empty()) set_units(map, field.unit);
   return map;
 }
 
-bool recognises(std::string_view bytes) { return bytes.starts_with(magic) || bytes.starts_with(old_magic); }
+bool is_gwy(std::string_view bytes) { return bytes.starts_with(gwy_magic) || bytes.starts_with(old_magic); }
 
-Map decode(std::string_view bytes, const Reading& reading) {
-  if (!recognises(bytes)) refuse("the file is not a Gwyddion file");
+Map decode_gwy(std::string_view bytes, const Reading& reading) {
+  if (!is_gwy(bytes)) refuse("the file is not a Gwyddion file");
   if (bytes.starts_with(old_magic)) refuse("the file is of Gwyddion 1, only those of Gwyddion 2 are read");
-  bytes.remove_prefix(magic.size());
+  bytes.remove_prefix(gwy_magic.size());
   const GwyComponent container = take_gwy_object(bytes);
   if (container.kind != "GwyContainer")
     refuse("the file holds {}, only a GwyContainer is read", quoted(container.kind));
@@ -140,13 +140,13 @@ Map decode(std::string_view bytes, const Reading& reading) {
   for (const auto& [number, p] : parts)
     channels.push_back({number, one_line(p.title), field_in(p.data).unit});
   const std::size_t chosen = chosen_channel(channels, reading.channel);
-  return map_of(parts.at(channels[chosen].number), reading.memory);
+  return map_of_parts(parts.at(channels[chosen].number), reading.memory);
 }
 
 // ---- writing ----
 
 template <class T>
-void append(std::string& out, T number) {
+void append_number(std::string& out, T number) {
   const auto raw = bytes_of(number, std::endian::little);
   out.append(raw.data(), raw.size());
 }
@@ -165,7 +165,7 @@ void begin_component(std::string& out, std::string_view name, char type) {
 template <class T>
 void append_component(std::string& out, std::string_view name, char type, T number) {
   begin_component(out, name, type);
-  append(out, number);
+  append_number(out, number);
 }
 
 // An object with what `body` appends.
@@ -173,7 +173,7 @@ template <class Body>
 void append_object(std::string& out, std::string_view kind, Body body) {
   append_name(out, kind);
   const std::size_t place = out.size();
-  append(out, std::uint32_t{0});
+  append_number(out, std::uint32_t{0});
   body();
   const auto size = bytes_of(static_cast<std::uint32_t>(out.size() - place - 4), std::endian::little);
   std::ranges::copy(size, out.begin() + static_cast<std::ptrdiff_t>(place));
@@ -208,7 +208,7 @@ void append_field(std::string& out, std::string_view name, const Field& values, 
   });
 }
 
-void check_holds(const Map& map) {
+void check_gwy(const Map& map) {
   constexpr double most = std::numeric_limits<std::uint32_t>::max() - 4096.0;  // for what is no number
   const double fields = map.values.hasNaN() ? 2 : 1, points = static_cast<double>(map.values.size());
   const double longest = 16 * static_cast<double>(longest_line);  // the title
@@ -217,12 +217,12 @@ void check_holds(const Map& map) {
            map.values.cols());
 }
 
-std::string encode(const Map& map, Order) {
-  check_holds(map);
+std::string encode_gwy(const Map& map, Order) {
+  check_gwy(map);
   const auto missing = map.values.isNaN();
   const double present = static_cast<double>((!missing).count());
   const double mean = present > 0 ? missing.select(0.0, map.values).sum() / present : 0;
-  std::string out(magic);
+  std::string out(gwy_magic);
   append_object(out, "GwyContainer", [&] {
     append_field(out, "/0/data", missing.select(mean, map.values), map, one_line(map.units));
     if (!map.title.empty()) begin_component(out, "/0/data/title", 's'), append_name(out, one_line(map.title));
@@ -234,7 +234,7 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::gwy{"gwy",  "gwy",  "Gwyddion's native format", recognises,
-                         decode, encode, Numbers::doubles,           true};
+const Format format::gwy{"gwy",      "gwy",      "Gwyddion's native format", is_gwy,
+                         decode_gwy, encode_gwy, Numbers::doubles,           true};
 
 }  // namespace asperity

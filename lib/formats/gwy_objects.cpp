@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-std::string_view take(std::string_view& bytes, std::size_t size) {
+std::string_view take_bytes(std::string_view& bytes, std::size_t size) {
   if (size > bytes.size())
     refuse("the file is cut short: a component needs {} bytes more", size - bytes.size());
   const std::string_view out = bytes.substr(0, size);
@@ -17,7 +17,7 @@ std::string_view take(std::string_view& bytes, std::size_t size) {
 }
 
 std::size_t take_count(std::string_view& bytes) {
-  return number_from<std::uint32_t>(take(bytes, 4).data(), std::endian::little);
+  return number_from<std::uint32_t>(take_bytes(bytes, 4).data(), std::endian::little);
 }
 
 std::string_view take_string(std::string_view& bytes) {
@@ -58,7 +58,7 @@ std::string_view take_several(std::string_view& bytes, char type) {
 GwyComponent take_gwy_object(std::string_view& bytes) {
   GwyComponent out{.type = 'o'};
   out.kind = take_string(bytes);
-  out.value = take(bytes, take_count(bytes));
+  out.value = take_bytes(bytes, take_count(bytes));
   return out;
 }
 
@@ -66,11 +66,11 @@ std::optional<GwyComponent> GwyComponents::next() {
   if (rest_.empty()) return std::nullopt;
   GwyComponent out;
   out.name = take_string(rest_);
-  out.type = take(rest_, 1).front();
+  out.type = take_bytes(rest_, 1).front();
   if (const std::size_t size = size_of_number(out.type)) {
-    out.value = take(rest_, size);
+    out.value = take_bytes(rest_, size);
   } else if (const std::size_t each = size_of_number(static_cast<char>(out.type + ('a' - 'A')))) {
-    out.value = take(rest_, each * take_count(rest_));
+    out.value = take_bytes(rest_, each * take_count(rest_));
   } else if (out.type == 's') {
     out.value = take_string(rest_);
   } else if (out.type == 'o') {

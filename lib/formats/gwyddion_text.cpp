@@ -7,7 +7,7 @@
 /// and a line of values for each y, from the top of the image, which is the smallest y here. Gwyddion
 /// translates the words, so the size is read from the two lines with a number and a length, the first of
 /// which is the width, the title from a line above them and the unit from one below, unless a line states it
-/// in words that are known (formats/text_units.hpp). Decimal commas and exponents of three digits are
+/// in words that are known (formats/text_head.hpp). Decimal commas and exponents of three digits are
 /// accepted. The size is that of the area of all pixels.
 #include <optional>
 #include <vector>
@@ -15,10 +15,9 @@
 #include "dataset/bytes.hpp"
 #include "formats/format.hpp"
 #include "formats/refuse.hpp"
-#include "formats/text_labels.hpp"
+#include "formats/text_head.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/text_table.hpp"
-#include "formats/text_units.hpp"
 
 namespace asperity {
 namespace {
@@ -29,7 +28,7 @@ struct Length {
 };
 
 // "10.00 µm" → {10.00, µm}; nothing without a number followed by a word.
-std::optional<Length> length_of(std::string_view text) {
+std::optional<Length> stated_length(std::string_view text) {
   const std::size_t blank = text.find_first_of(" \t");
   if (blank == text.npos) return std::nullopt;
   const std::string_view word = text.substr(0, blank);
@@ -46,14 +45,15 @@ struct GwyddionHead {
 };
 
 // Removes the comments that begin with # from the text.
-GwyddionHead take_head(std::string_view& text) {
+GwyddionHead take_comments(std::string_view& text) {
   GwyddionHead out;
   const auto first = [&] { return text.substr(0, text.find_first_of("\r\n")); };
   for (; text.starts_with('#') && is_comment(first(), Separator::tab); ++out.lines) {
     const std::string_view line = take_line(text);
     const std::size_t colon = line.find(':');
     const std::string_view value = colon == line.npos ? "" : trimmed(line.substr(colon + 1));
-    if (const auto length = length_of(value); length && (out.lengths.size() < 2 || is_length(length->unit))) {
+    if (const auto length = stated_length(value);
+        length && (out.lengths.size() < 2 || is_length(length->unit))) {
       out.lengths.push_back(*length);
     } else if (out.lengths.empty() && out.channel.empty() && !is_unit(value)) {
       out.channel = value;
@@ -71,13 +71,13 @@ double metres(const Length& length) {
   return size;
 }
 
-bool recognises(std::string_view bytes) {
+bool is_gwyddion(std::string_view bytes) {
   bytes = bytes.substr(0, 4096);
-  return take_head(bytes).lengths.size() >= 2;
+  return take_comments(bytes).lengths.size() >= 2;
 }
 
-Map decode(std::string_view bytes, const Reading& reading) {
-  const GwyddionHead head = take_head(bytes);
+Map decode_gwyddion(std::string_view bytes, const Reading& reading) {
+  const GwyddionHead head = take_comments(bytes);
   if (const std::size_t line = bytes.find("\n#"); line != bytes.npos)
     refuse_rest(bytes.substr(line + 1), "map");  // another head
   if (head.lengths.size() != 2)
@@ -91,7 +91,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
   return map;
 }
 
-std::string encode(const Map& map, Order) {
+std::string encode_gwyddion(const Map& map, Order) {
   const auto nx = static_cast<double>(map.values.rows()), ny = static_cast<double>(map.values.cols());
   std::string out = fmt::format("# Channel: {}\n# Width: {} m\n# Height: {} m\n",
                                 map.title.empty() ? "heights" : one_line(map.title),
@@ -102,7 +102,8 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::gwyddion_text{"gwyddion-text", "",     "Gwyddion text export with its header",
-                                   recognises,      decode, encode};
+const Format format::gwyddion_text{
+    "gwyddion-text", "", "Gwyddion text export with its header", is_gwyddion, decode_gwyddion,
+    encode_gwyddion};
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "formats/refuse.hpp"
+#include "formats/text_numbers.hpp"
 
 namespace asperity {
 namespace {
@@ -19,7 +20,7 @@ Grid grid_of(const Map& map) {
   constexpr double least = 1e-100, greatest = 1e100;
   for (const double spacing : map.spacing) {
     if (std::isnan(spacing))
-      throw DataError("x", "the file does not give the size of the map: give asperity-convert its `size`");
+      throw DataError("x", "the file does not give the size of the map: give its `size`");
     if (!(spacing >= least && spacing <= greatest))
       throw DataError("x", fmt::format("spacing {} m is outside {} m to {} m", spacing, least, greatest));
   }
@@ -53,6 +54,24 @@ double metres_per(std::string_view unit) {
   refuse("'{}' is not a unit of length", name);
 }
 
+bool is_length(std::string_view unit) try {
+  if (unit.empty() || unit.front() == '-' || unit.front() == '(') return false;
+  metres_per(unit);
+  return true;
+} catch (const DataError&) {
+  return false;
+}
+
+bool same_length(const std::string& a, const std::string& b) {
+  return a == b || (is_length(a) && is_length(b) && metres_per(a) == metres_per(b));
+}
+
+bool is_unit(std::string_view unit) try {
+  return !unit.empty() && is_alpha(unit.front()) && unit_factor(std::string(unit), std::string(unit)) > 0;
+} catch (const std::invalid_argument&) {
+  return false;
+}
+
 void set_units(Map& map, std::string_view unit) {
   map.units = map.file_units = one_line(unit, longest_unit);
   double factor = 1;
@@ -84,15 +103,15 @@ void require_heights(const Map& map) {
   if (!(most >= no_height) || std::isinf(most)) return;
   const std::string& unit = map.file_units;
   refuse(
-      "{}{} is too much for a height: if it marks missing points, write nan, or, of a text, tell "
-      "asperity-convert (`missing`)",
+      "{}{} is too much for a height: if it marks missing points, write nan, or give the mark of a text "
+      "(`missing`)",
       shortest(unit.empty() ? most : most / metres_per(unit)), unit.empty() ? "" : " " + one_line(unit, 24));
 }
 
 void check_size(const Map& map, const std::string& format) {
   for (const double spacing : map.spacing)
     if (!(spacing > 0 && std::isfinite(spacing)))
-      refuse("the map has no size, which {} needs: give asperity-convert its `size`", format);
+      refuse("the map has no size, which {} needs: give its `size`", format);
 }
 
 void check_heights(const Map& map, const std::string& format) {

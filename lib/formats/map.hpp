@@ -59,6 +59,11 @@ struct Map {
 
 /// Metres per unit of length as instruments spell it ("µm", "um"). Throws DataError("map", …) for others.
 double metres_per(std::string_view unit);
+bool is_length(std::string_view unit);
+/// Whether two units are the same length.
+bool same_length(const std::string& a, const std::string& b);
+/// Whether UDUNITS knows a unit, of any quantity; not so of numbers.
+bool is_unit(std::string_view unit);
 /// Converts lengths to metres; other values stay. Throws DataError("map", …) when a value becomes infinite.
 void set_units(Map& map, std::string_view unit);
 

@@ -22,7 +22,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::string_view npy_magic = "\x93NUMPY";
 
 // Reads Python literals one after the other from the text.
 class Literals {
@@ -81,7 +81,7 @@ class Literals {
   std::string_view text_;
 };
 
-struct Described {
+struct NpyHead {
   std::string_view descr;
   bool fortran = false;
   std::vector<Index> shape;
@@ -94,8 +94,8 @@ void take_shape(Literals& text, std::vector<Index>& shape) {
     refuse("the array has {}, a map has 2", counted(static_cast<std::int64_t>(shape.size()), "dimension"));
 }
 
-Described description_of(Literals text) {
-  Described out;
+NpyHead description_of(Literals text) {
+  NpyHead out;
   std::vector<std::string_view> keys;
   text.list("{", "}", [&] {
     const std::string_view key = text.string();
@@ -129,7 +129,7 @@ constexpr Kind kinds[] = {
     {"u4", NumberType::uint32},  {"i8", NumberType::int64},   {"u8", NumberType::uint64},
     {"f4", NumberType::float32}, {"f8", NumberType::float64}, {half, NumberType::uint16}};
 
-NumberType type_of(std::string_view descr) {
+NumberType npy_type(std::string_view descr) {
   for (const Kind& kind : kinds)
     if (descr.substr(1) == kind.name && std::string_view("<>|").find(descr[0]) != descr.npos &&
         (descr[0] != '|' || size_of(kind.type) == 1))
@@ -146,11 +146,11 @@ double half_of_bits(double number) {
   return bits >> 15 ? -size : size;
 }
 
-bool recognises(std::string_view bytes) { return bytes.starts_with(magic); }
+bool is_npy(std::string_view bytes) { return bytes.starts_with(npy_magic); }
 
 // Removes the header from the bytes.
-std::string_view head_of(std::string_view& bytes) {
-  if (!recognises(bytes)) refuse("the file is not a NumPy array");
+std::string_view take_npy_head(std::string_view& bytes) {
+  if (!is_npy(bytes)) refuse("the file is not a NumPy array");
   const std::size_t width = bytes.size() > 6 && bytes[6] == 1 ? 2 : 4, begin = 8 + width;
   if (bytes.size() < begin) refuse_cut_header();
   if (bytes[6] < 1 || bytes[6] > 3)
@@ -163,11 +163,11 @@ std::string_view head_of(std::string_view& bytes) {
   return head;
 }
 
-Map decode(std::string_view bytes, const Reading& reading) {
-  const Described described = description_of(Literals(head_of(bytes)));
+Map decode_npy(std::string_view bytes, const Reading& reading) {
+  const NpyHead described = description_of(Literals(take_npy_head(bytes)));
   Shape shape{described.shape[0], described.shape[1]};
   if (reading.order == Order::yx) std::swap(shape.nx, shape.ny);
-  const Raster raster{type_of(described.descr),
+  const Raster raster{npy_type(described.descr),
                       described.descr[0] == '>' ? std::endian::big : std::endian::little,
                       described.fortran == (reading.order == Order::xy) ? Order::yx : Order::xy};
   Map map{.values = field_from(bytes, shape, raster, reading.memory)};
@@ -176,14 +176,14 @@ Map decode(std::string_view bytes, const Reading& reading) {
   return map;
 }
 
-std::string encode(const Map& map, Order order) {
+std::string encode_npy(const Map& map, Order order) {
   auto [first, second] = shape_of(map.values);
   if (order == Order::yx) std::swap(first, second);
   std::string head =
       fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", first, second);
-  const std::size_t before = magic.size() + 4;
+  const std::size_t before = npy_magic.size() + 4;
   head.append(63 - (before + head.size()) % 64, ' ') += '\n';
-  std::string out = std::string(magic) + std::string("\x01\x00", 2);
+  std::string out = std::string(npy_magic) + std::string("\x01\x00", 2);
   out += static_cast<char>(head.size() % 256);
   out += static_cast<char>(head.size() / 256);
   return out + head + bytes_of(map.values, {.order = order});
@@ -191,6 +191,6 @@ std::string encode(const Map& map, Order order) {
 
 }  // namespace
 
-const Format format::npy{"npy", "npy", "NumPy array", recognises, decode, encode};
+const Format format::npy{"npy", "npy", "NumPy array", is_npy, decode_npy, encode_npy};
 
 }  // namespace asperity

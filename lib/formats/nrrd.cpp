@@ -44,7 +44,7 @@ struct Type {
   std::string_view names;  // between bars
 };
 
-constexpr Type types[] = {
+constexpr Type nrrd_types[] = {
     {NumberType::int8, "|signed char|int8|int8_t|"},
     {NumberType::uint8, "|uchar|unsigned char|uint8|uint8_t|"},
     {NumberType::int16, "|short|short int|signed short|signed short int|int16|int16_t|"},
@@ -74,7 +74,7 @@ std::size_t find_end(std::string_view text, std::string_view ends, std::size_t f
 }
 
 // Words between blanks, quotes or parentheses.
-Words words_of(std::string_view text) {
+Words field_words(std::string_view text) {
   Words out;
   while (!(text = trimmed(text)).empty()) {
     if (out.size() == most_axes) refuse("the array has more than 16 dimensions, a map has 2");
@@ -89,11 +89,11 @@ Words words_of(std::string_view text) {
 
 // One word of a field, "" if there is none.
 std::string_view word(const Head& head, std::string_view name, std::size_t place) {
-  const Words words = words_of(field(head, name));
+  const Words words = field_words(field(head, name));
   return place < words.size() ? words[place] : std::string_view();
 }
 
-double number_in(const Head& head, std::string_view name, std::size_t place) {
+double nrrd_number(const Head& head, std::string_view name, std::size_t place) {
   const std::string_view text = word(head, name, place);
   const auto out = number_of(text);
   if (!out) refuse("{} {} in the header is not a number", name, quoted(text));
@@ -107,7 +107,7 @@ struct Axes {
 
 // Removes last axes of length 1 until two remain.
 Axes axes_of(const Head& head) {
-  const Words words = words_of(head.text("sizes"));
+  const Words words = field_words(head.text("sizes"));
   const Index dimension = head.count("dimension"), count = static_cast<Index>(words.size());
   if (count != dimension) refuse("the header has {} for dimension {}", counted(count, "size"), dimension);
   const auto size = [&](std::size_t axis) { return whole_number_of(words[axis]).value_or(0); };
@@ -134,7 +134,7 @@ std::vector<double> components_of(std::string_view direction) {
 }
 
 // In the units of the space.
-double length_of(const std::vector<double>& direction, const Head& head) {
+double direction_length(const std::vector<double>& direction, const Head& head) {
   double length = direction.empty() ? Map::unknown : 0;
   for (std::size_t i = 0; i < direction.size(); ++i) {
     const std::string_view unit = word(head, "space units", i);
@@ -164,34 +164,34 @@ bool agree(double a, double b) { return std::abs(a - b) <= 1e-3 * std::abs(b); }
 
 // Of axis mins and maxs in the unit of the axis. Without centers they are those of pixels, unless those of
 // points give the spacing that is known.
-double step_of(const Head& head, std::size_t axis, Index points, double known) {
+double range_step(const Head& head, std::size_t axis, Index points, double known) {
   if (field(head, "axis mins").empty() || field(head, "axis maxs").empty()) return Map::unknown;
-  const double range = number_in(head, "axis maxs", axis) - number_in(head, "axis mins", axis);
+  const double range = nrrd_number(head, "axis maxs", axis) - nrrd_number(head, "axis mins", axis);
   const double pixels = range / static_cast<double>(points), nodes = range / static_cast<double>(points - 1);
   const std::string_view centers = word(head, head.has("centers") ? "centers" : "centerings", axis);
   return centers == "node" || (centers.empty() && agree(nodes, known)) ? nodes : pixels;
 }
 
-double spacing_of(const Head& head, std::size_t axis, Index points) {
+double axis_spacing(const Head& head, std::size_t axis, Index points) {
   const std::string_view unit = word(head, "units", axis);
-  double out = length_of(components_of(word(head, "space directions", axis)), head);
+  double out = direction_length(components_of(word(head, "space directions", axis)), head);
   const auto settle = [&](const char* name, double spacing) {
     if (std::isnan(out)) out = spacing;
     if (!std::isnan(spacing) && !agree(spacing, out))
       refuse("the header gives the spacing {} m, and {} m by its {}: remove one", out, spacing, name);
   };
   if (const double metres = unit.empty() ? 0 : metres_per(unit); metres > 0) {
-    if (!field(head, "spacings").empty()) settle("spacings", number_in(head, "spacings", axis) * metres);
-    settle("axis mins and maxs", step_of(head, axis, points, out / metres) * metres);
+    if (!field(head, "spacings").empty()) settle("spacings", nrrd_number(head, "spacings", axis) * metres);
+    settle("axis mins and maxs", range_step(head, axis, points, out / metres) * metres);
   }
   if (!std::isnan(out) && !(out > 0 && std::isfinite(out)))
     refuse("the spacing in the header is not positive");
   return out;
 }
 
-NumberType type_of(const Head& head) {
+NumberType nrrd_type(const Head& head) {
   const std::string name = lower(head.text("type"));
-  for (const Type& type : types)
+  for (const Type& type : nrrd_types)
     if (name.find('|') == name.npos && type.names.find("|" + name + "|") != type.names.npos) return type.type;
   refuse("number type {} is not supported", quoted(name));
 }
@@ -206,7 +206,7 @@ std::endian endian_of(const Head& head, NumberType type) {
 
 Field values_of(const Head& head, std::string_view bytes, Shape shape, const Reading& reading) {
   const std::string encoding = lower(head.text("encoding"));
-  const NumberType type = type_of(head);
+  const NumberType type = nrrd_type(head);
   if (encoding == "text" || encoding == "txt" || encoding == "ascii")
     return field_of_lines(bytes, shape, head.lines() + 1, reading);
   const Raster raster{type, endian_of(head, type)};
@@ -227,18 +227,19 @@ void check_attached(const Head& head) {
       refuse("{} in the header is not supported", skip);
 }
 
-bool recognises(std::string_view bytes) {
+bool is_nrrd(std::string_view bytes) {
   return bytes.size() > 8 && bytes.starts_with("NRRD000") && bytes[7] >= '1' && bytes[7] <= '5' &&
          (bytes[8] == '\n' || bytes[8] == '\r');
 }
 
-Map decode(std::string_view bytes, const Reading& reading) {
-  if (!recognises(bytes)) refuse("the file is not NRRD, version 1 to 5");
+Map decode_nrrd(std::string_view bytes, const Reading& reading) {
+  if (!is_nrrd(bytes)) refuse("the file is not NRRD, version 1 to 5");
   const auto empty = [](std::string_view line) { return line.empty(); };
   const Head head(take_head(bytes, empty), ":");
   check_attached(head);
   const Axes axes = axes_of(head);
-  const std::array spacing{spacing_of(head, axes.x, axes.shape.nx), spacing_of(head, axes.y, axes.shape.ny)};
+  const std::array spacing{axis_spacing(head, axes.x, axes.shape.nx),
+                           axis_spacing(head, axes.y, axes.shape.ny)};
   Map map{.values = values_of(head, bytes, axes.shape, reading),
           .spacing = spacing,
           .title = std::string(head.text("content"))};
@@ -250,7 +251,7 @@ Map decode(std::string_view bytes, const Reading& reading) {
   return map;
 }
 
-std::string encode(const Map& map, Order) {
+std::string encode_nrrd(const Map& map, Order) {
   std::string out =
       fmt::format("NRRD0004\ntype: double\ndimension: 2\nsizes: {} {}\nspacings: {} {}\nunits: \"m\" \"m\"\n",
                   map.values.rows(), map.values.cols(), shortest(map.spacing[0]), shortest(map.spacing[1]));
@@ -261,6 +262,6 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::nrrd{"nrrd", "nrrd", "NRRD, nearly raw raster data", recognises, decode, encode};
+const Format format::nrrd{"nrrd", "nrrd", "NRRD, nearly raw raster data", is_nrrd, decode_nrrd, encode_nrrd};
 
 }  // namespace asperity

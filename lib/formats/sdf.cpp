@@ -43,29 +43,29 @@
 namespace asperity {
 namespace {
 
-constexpr NumberType types[] = {NumberType::uint8,   NumberType::uint16, NumberType::uint32,
-                                NumberType::float32, NumberType::int8,   NumberType::int16,
-                                NumberType::int32,   NumberType::float64};
+constexpr NumberType sdf_types[] = {NumberType::uint8,   NumberType::uint16, NumberType::uint32,
+                                    NumberType::float32, NumberType::int8,   NumberType::int16,
+                                    NumberType::int32,   NumberType::float64};
 constexpr std::size_t binary_head = 81;
 constexpr Index most = 65535;
 constexpr std::string_view maker = "Asperity", date = "010120000000";
 constexpr std::string_view olympus("\5\0\0\0\1\0\0\0", 8);  // between the header and the numbers
 
 // The content of both kinds of header.
-struct Described {
+struct SdfHead {
   Shape shape;
   double dx = 0, dy = 0, unit = 0;
   Index compression = 0, type = 0, check = 0;
 };
 
-bool recognises(std::string_view bytes, char kind) {
+bool is_sdf(std::string_view bytes, char kind) {
   const auto digit = [&](std::size_t i) { return std::isdigit(static_cast<unsigned char>(bytes[i])) != 0; };
   if (bytes.size() < 8 || bytes[0] != kind || bytes[4] != '-' || bytes[6] != '.') return false;
   const std::string_view name = bytes.substr(1, 3);
   return (name == "ISO" || name == "BCR") && digit(5) && digit(7);
 }
 
-void check(const Described& d) {
+void check_sdf_head(const SdfHead& d) {
   if (d.compression != 0) refuse("Compression {} is not supported, only 0", d.compression);
   if (d.check != 0) refuse("CheckType {} is not supported, only 0", d.check);
   if (d.type < 0 || d.type > 7) refuse("number type {} is not supported, only DataType 0 to 7", d.type);
@@ -75,7 +75,7 @@ void check(const Described& d) {
   if (!positive(d.unit)) refuse("Zscale {} in the header is not positive", d.unit);
 }
 
-Map heights_of(Field values, const Described& d) {
+Map heights_of(Field values, const SdfHead& d) {
   const bool known = d.dy > 0 && std::isfinite(d.dy);  // of a single line it may not be
   Map map{.values = std::move(values), .spacing = {d.dx, known ? d.dy : Map::unknown}, .units = "m"};
   leave_out_infinite(map);
@@ -90,22 +90,22 @@ void check_trailer(std::string_view rest) {
   for (std::string_view lines = rest; !lines.empty() && !another;) {
     std::string_view line = trimmed(take_line(lines));
     line.remove_prefix(std::min(line.find_first_not_of('*'), line.size()));
-    another = recognises(line, 'a') || recognises(line, 'b');
+    another = is_sdf(line, 'a') || is_sdf(line, 'b');
   }
   if (another) refuse_rest(rest, "map");
 }
 
-Map decode_text(std::string_view bytes, const Reading& reading) {
+Map decode_sdf_text(std::string_view bytes, const Reading& reading) {
   const auto star = [](std::string_view line) { return line.starts_with('*'); };
   const Head head(take_head(bytes, star), "=");
-  const Described d{{head.count("NumPoints"), head.count("NumProfiles")},
-                    head.number("Xscale"),
-                    head.number("Yscale"),
-                    head.number("Zscale"),
-                    head.count("Compression"),
-                    head.count("DataType"),
-                    head.count("CheckType")};
-  check(d);
+  const SdfHead d{{head.count("NumPoints"), head.count("NumProfiles")},
+                  head.number("Xscale"),
+                  head.number("Yscale"),
+                  head.number("Zscale"),
+                  head.count("Compression"),
+                  head.count("DataType"),
+                  head.count("CheckType")};
+  check_sdf_head(d);
   const std::size_t end = std::min(bytes.find('*'), bytes.size());
   Field values = field_of_lines(bytes.substr(0, end), d.shape, head.lines() + 1, reading);
   check_trailer(bytes.substr(std::min(end + 1, bytes.size())));
@@ -114,27 +114,27 @@ Map decode_text(std::string_view bytes, const Reading& reading) {
 
 // Reads numbers from the bytes one after the other.
 template <class T>
-T take(std::string_view& bytes) {
+T take_number(std::string_view& bytes) {
   const T out = number_from<T>(bytes.data(), std::endian::little);
   bytes.remove_prefix(sizeof(T));
   return out;
 }
 
 template <class Count>
-Described take_binary_head(std::string_view& bytes) {
+SdfHead take_binary_head(std::string_view& bytes) {
   if (bytes.size() < binary_head + 2 * (sizeof(Count) - 2)) refuse_cut_header();
   bytes.remove_prefix(8 + 10 + 12 + 12);
-  Described d;
-  d.shape.nx = take<Count>(bytes);
-  d.shape.ny = take<Count>(bytes);
-  d.dx = take<double>(bytes);
-  d.dy = take<double>(bytes);
-  d.unit = take<double>(bytes);
-  take<double>(bytes);  // Zresolution
-  d.compression = take<std::uint8_t>(bytes);
-  d.type = take<std::uint8_t>(bytes);
-  d.check = take<std::uint8_t>(bytes);
-  check(d);
+  SdfHead d;
+  d.shape.nx = take_number<Count>(bytes);
+  d.shape.ny = take_number<Count>(bytes);
+  d.dx = take_number<double>(bytes);
+  d.dy = take_number<double>(bytes);
+  d.unit = take_number<double>(bytes);
+  take_number<double>(bytes);  // Zresolution
+  d.compression = take_number<std::uint8_t>(bytes);
+  d.type = take_number<std::uint8_t>(bytes);
+  d.check = take_number<std::uint8_t>(bytes);
+  check_sdf_head(d);
   return d;
 }
 
@@ -148,11 +148,11 @@ std::array<double, 2> missing_of(NumberType type, bool bcr) {
   });
 }
 
-Map decode_binary(std::string_view bytes, const Reading& reading) {
+Map decode_sdf_binary(std::string_view bytes, const Reading& reading) {
   const std::string_view version = bytes.substr(1, 7);
-  const Described d =
+  const SdfHead d =
       version == "ISO-2.0" ? take_binary_head<std::uint32_t>(bytes) : take_binary_head<std::uint16_t>(bytes);
-  const NumberType type = types[d.type];
+  const NumberType type = sdf_types[d.type];
   check_shape(d.shape, bytes.size() / size_of(type));
   const std::size_t numbers = static_cast<std::size_t>(d.shape.cells()) * size_of(type);
   if (bytes.size() == numbers + olympus.size() && bytes.starts_with(olympus))
@@ -164,7 +164,7 @@ Map decode_binary(std::string_view bytes, const Reading& reading) {
   return heights_of(std::move(values), d);
 }
 
-void check_holds(const Map& map) {
+void check_sdf(const Map& map) {
   check_heights(map, "SDF");
   if (std::max(map.values.rows(), map.values.cols()) > most)
     refuse("SDF holds at most 65535 points per side, the map has {} x {}", map.values.rows(),
@@ -172,33 +172,33 @@ void check_holds(const Map& map) {
 }
 
 template <class T>
-void append(std::string& bytes, T number) {
+void append_number(std::string& bytes, T number) {
   const auto raw = bytes_of(number, std::endian::little);
   bytes.append(raw.data(), raw.size());
 }
 
-bool recognises_binary(std::string_view bytes) { return recognises(bytes, 'b'); }
-bool recognises_text(std::string_view bytes) { return recognises(bytes, 'a'); }
+bool is_sdf_binary(std::string_view bytes) { return is_sdf(bytes, 'b'); }
+bool is_sdf_text(std::string_view bytes) { return is_sdf(bytes, 'a'); }
 
 // Reads both kinds.
-Map decode(std::string_view bytes, const Reading& reading) {
-  if (recognises_binary(bytes)) return decode_binary(bytes, reading);
-  if (recognises_text(bytes)) return decode_text(bytes, reading);
+Map decode_sdf(std::string_view bytes, const Reading& reading) {
+  if (is_sdf_binary(bytes)) return decode_sdf_binary(bytes, reading);
+  if (is_sdf_text(bytes)) return decode_sdf_text(bytes, reading);
   refuse("the file is not SDF, ISO 25178-71 or BCR");
 }
 
-std::string encode_binary(const Map& map, Order) {
-  check_holds(map);
+std::string encode_sdf_binary(const Map& map, Order) {
+  check_sdf(map);
   std::string out = fmt::format("bISO-1.0{:10}{}{}", maker, date, date);
-  append(out, static_cast<std::uint16_t>(map.values.rows()));
-  append(out, static_cast<std::uint16_t>(map.values.cols()));
-  for (const double number : {map.spacing[0], map.spacing[1], 1.0, -1.0}) append(out, number);
+  append_number(out, static_cast<std::uint16_t>(map.values.rows()));
+  append_number(out, static_cast<std::uint16_t>(map.values.cols()));
+  for (const double number : {map.spacing[0], map.spacing[1], 1.0, -1.0}) append_number(out, number);
   out += std::string("\0\7\0", 3);
   return out + bytes_of(map.values);
 }
 
-std::string encode_text(const Map& map, Order) {
-  check_holds(map);
+std::string encode_sdf_text(const Map& map, Order) {
+  check_sdf(map);
   const std::string head = fmt::format(
       "aISO-1.0\nManufacID = {0}\nCreateDate = {1}\nModDate = {1}\nNumPoints = {2}\nNumProfiles = {3}\n"
       "Xscale = {4}\nYscale = {5}\nZscale = 1\nZresolution = -1\nCompression = 0\nDataType = 7\n"
@@ -209,9 +209,9 @@ std::string encode_text(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::sdf{"sdf",  "sdf",        "SDF, ISO 25178-71, doubles", recognises_binary,
-                         decode, encode_binary};
-const Format format::sdf_ascii{"sdf-ascii",     "",     "SDF, ISO 25178-71, in text",
-                               recognises_text, decode, encode_text};
+const Format format::sdf{"sdf",         "sdf",      "SDF, ISO 25178-71, doubles",
+                         is_sdf_binary, decode_sdf, encode_sdf_binary};
+const Format format::sdf_ascii{"sdf-ascii", "",         "SDF, ISO 25178-71, in text",
+                               is_sdf_text, decode_sdf, encode_sdf_text};
 
 }  // namespace asperity

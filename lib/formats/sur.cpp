@@ -64,9 +64,9 @@ struct Object {
   Shape shape() const { return {number<std::int32_t>(points_per_line), number<std::int32_t>(lines)}; }
 };
 
-bool recognises(std::string_view bytes) { return bytes.starts_with(plain) || bytes.starts_with(deflated); }
+bool is_sur(std::string_view bytes) { return bytes.starts_with(plain) || bytes.starts_with(deflated); }
 
-void check(const Object& o) {
+void check_object(const Object& o) {
   if (const int code = o.number<std::int16_t>(byte_order); code != 0)
     refuse("byte order {} is not supported, only 0", code);
   constexpr int types[] = {1, 2, 5, 8, 10, 11, 13, 16};
@@ -78,7 +78,7 @@ void check(const Object& o) {
     refuse("numbers of {} bits are not supported, only 16 and 32", size);
 }
 
-std::string_view take(std::string_view& bytes, std::size_t size) {
+std::string_view take_part(std::string_view& bytes, std::size_t size) {
   if (size > bytes.size()) refuse("the file is cut short: it needs {} bytes more", size - bytes.size());
   const std::string_view out = bytes.substr(0, size);
   bytes.remove_prefix(size);
@@ -88,22 +88,23 @@ std::string_view take(std::string_view& bytes, std::size_t size) {
 // Of the pieces, with their sizes.
 std::size_t size_of_pieces(std::string_view bytes) {
   const std::size_t all = bytes.size();
-  const auto count = number_from<std::uint32_t>(take(bytes, 4).data(), order);
-  std::string_view sizes = take(bytes, std::size_t{8} * count);
+  const auto count = number_from<std::uint32_t>(take_part(bytes, 4).data(), order);
+  std::string_view sizes = take_part(bytes, std::size_t{8} * count);
   for (; !sizes.empty(); sizes.remove_prefix(8))
-    take(bytes, number_from<std::uint32_t>(sizes.data() + 4, order));
+    take_part(bytes, number_from<std::uint32_t>(sizes.data() + 4, order));
   return all - bytes.size();
 }
 
 Object take_object(std::string_view& bytes) {
   if (bytes.size() < head_size) refuse_cut_header();
   Object out{.head = bytes.substr(0, head_size), .is_deflated = bytes.starts_with(deflated)};
-  check(out);
+  check_object(out);
   bytes.remove_prefix(head_size);
-  take(bytes, std::size_t{out.number<std::uint16_t>(comment_size)} + out.number<std::uint16_t>(private_size));
+  take_part(bytes,
+            std::size_t{out.number<std::uint16_t>(comment_size)} + out.number<std::uint16_t>(private_size));
   check_shape(out.shape(), (out.is_deflated ? most_inflated : 1) * bytes.size() / out.bytes_per_number());
   const auto cells = static_cast<std::size_t>(out.shape().cells());
-  out.numbers = take(bytes, out.is_deflated ? size_of_pieces(bytes) : cells * out.bytes_per_number());
+  out.numbers = take_part(bytes, out.is_deflated ? size_of_pieces(bytes) : cells * out.bytes_per_number());
   return out;
 }
 
@@ -113,20 +114,20 @@ std::vector<Object> objects_in(std::string_view bytes) {
     return std::max<std::size_t>(out[0].number<std::uint16_t>(place), 1);
   };
   const std::size_t most = several(objects) * several(channels_of_each);
-  while (out.size() < most && recognises(bytes)) out.push_back(take_object(bytes));
+  while (out.size() < most && is_sur(bytes)) out.push_back(take_object(bytes));
   refuse_rest(bytes, "map");
   return out;
 }
 
-std::string joined(std::string_view pieces, std::size_t size) {
-  const auto count = number_from<std::uint32_t>(take(pieces, 4).data(), order);
-  std::string_view sizes = take(pieces, std::size_t{8} * count);
+std::string joined_pieces(std::string_view pieces, std::size_t size) {
+  const auto count = number_from<std::uint32_t>(take_part(pieces, 4).data(), order);
+  std::string_view sizes = take_part(pieces, std::size_t{8} * count);
   std::string out;
   for (; !sizes.empty(); sizes.remove_prefix(8)) {
     const auto whole = number_from<std::uint32_t>(sizes.data(), order),
                stored = number_from<std::uint32_t>(sizes.data() + 4, order);
     if (whole > size - out.size()) refuse("the file holds more numbers than its header gives");
-    out += inflated(take(pieces, stored), whole, Wrapper::zlib);
+    out += inflated(take_part(pieces, stored), whole, Wrapper::zlib);
   }
   return out;
 }
@@ -136,7 +137,7 @@ Field numbers_of(const Object& o, const MemoryBound& memory) {
   memory.require_map(o.shape(), "map");
   if (!o.is_deflated) return field_from(o.numbers, o.shape(), raster, memory);
   const std::size_t size = static_cast<std::size_t>(o.shape().cells()) * o.bytes_per_number();
-  return field_from(joined(o.numbers, size), o.shape(), raster, memory);
+  return field_from(joined_pieces(o.numbers, size), o.shape(), raster, memory);
 }
 
 double positive_step(const Object& o, std::size_t axis) {
@@ -146,7 +147,7 @@ double positive_step(const Object& o, std::size_t axis) {
   return step;
 }
 
-double spacing_of(const Object& o, std::size_t axis) {
+double object_spacing(const Object& o, std::size_t axis) {
   const std::string_view unit = o.text(step_units, unit_size, axis);
   return unit.empty() ? Map::unknown : positive_step(o, axis) * metres_per(unit);
 }
@@ -160,9 +161,9 @@ double height_of_zero(const Object& o) {
   return height;
 }
 
-Map map_of(const Object& o, const MemoryBound& memory) {
+Map map_of_object(const Object& o, const MemoryBound& memory) {
   Map map{.values = numbers_of(o, memory),
-          .spacing = {spacing_of(o, 0), o.shape().ny > 1 ? spacing_of(o, 1) : spacing_of(o, 0)},
+          .spacing = {object_spacing(o, 0), o.shape().ny > 1 ? object_spacing(o, 1) : object_spacing(o, 0)},
           .title = std::string(o.text(object_name, name_size))};
   if (o.number<std::int16_t>(special) != 0) {
     const auto low = o.number<std::int32_t>(least), high = o.number<std::int32_t>(greatest);
@@ -173,19 +174,19 @@ Map map_of(const Object& o, const MemoryBound& memory) {
   return map;
 }
 
-Map decode(std::string_view bytes, const Reading& reading) {
-  if (!recognises(bytes)) refuse("the file is not one of Digital Surf's");
+Map decode_sur(std::string_view bytes, const Reading& reading) {
+  if (!is_sur(bytes)) refuse("the file is not one of Digital Surf's");
   const std::vector<Object> all = objects_in(bytes);
   std::vector<Channel> channels;
   for (const Object& o : all)
     channels.push_back({static_cast<Index>(channels.size()), one_line(o.text(object_name, name_size)),
                         o.text(step_units, unit_size, 2)});
-  return map_of(all[chosen_channel(channels, reading.channel)], reading.memory);
+  return map_of_object(all[chosen_channel(channels, reading.channel)], reading.memory);
 }
 
 }  // namespace
 
 const Format format::sur{
-    "sur", "sur pro", "SUR and PRO, Digital Surf", recognises, decode, encode_sur, Numbers::steps, true};
+    "sur", "sur pro", "SUR and PRO, Digital Surf", is_sur, decode_sur, encode_sur, Numbers::steps, true};
 
 }  // namespace asperity

@@ -25,7 +25,7 @@ float single(double value, bool positive) {
   return static_cast<float>(value);
 }
 
-Steps steps_of(const Field& values) {
+Steps sur_steps(const Field& values) {
   const double half = std::ldexp(1.0, 30);
   if (values.isNaN().all()) return {Field::Zero(values.rows(), values.cols())};
   const double low = values.minCoeff<Eigen::PropagateNumbers>(),
@@ -59,7 +59,7 @@ std::string shortened(std::string text, std::size_t size) {
   return text;
 }
 
-std::string head_of(const Map& map) {
+std::string sur_head(const Map& map) {
   std::string out(head_size, '\0');
   const Shape shape = shape_of(map.values);
   put_text(out, Place{0}, plain, plain.size());
@@ -94,8 +94,8 @@ std::string encode_sur(const Map& map, Order) {
   if (map.values.size() > std::numeric_limits<std::int32_t>::max())
     refuse("SUR holds at most 2^31 - 1 points, the map has {} x {}", map.values.rows(), map.values.cols());
   const bool lengths = map.units.empty() || map.units == "m";
-  Steps steps_in = steps_of(lengths ? Field(1e6 * map.values) : map.values);
-  std::string out = head_of(map);
+  Steps steps_in = sur_steps(lengths ? Field(1e6 * map.values) : map.values);
+  std::string out = sur_head(map);
   const double low = steps_in.numbers.minCoeff(), high = steps_in.numbers.maxCoeff();
   put(out, least, static_cast<std::int32_t>(low));
   put(out, greatest, static_cast<std::int32_t>(high));

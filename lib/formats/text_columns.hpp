@@ -1,16 +1,17 @@
 /// What the columns of a text are: heights, or points of a profile or of a surface.
 ///
 /// They are points if Reading::columns says so, or the labels above them: x and z, or x, y and z, with units,
-/// those of x and y of length; columns without such a name are left out beside the letters x, y and z. Two
-/// columns x and y are a profile. Two or three columns with other names, all of lengths, are points if they
-/// look so (formats/text_coordinates.hpp). Otherwise all columns are heights; what looks like coordinates
-/// then, a first line too, or has labels of some of them, is refused unless Reading::columns is "none".
+/// those of x and y of length; columns without such a name are left out where the others are the letters x, y
+/// and z. Two columns x and y are a profile. Two or three columns with other names, all of lengths, are
+/// points if they look so (formats/text_points.hpp). Otherwise all columns are heights; what looks like
+/// coordinates then, a first line too, or has labels of some of them, is refused unless Reading::columns is
+/// "none".
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "formats/text_labels.hpp"
+#include "formats/text_head.hpp"
 
 namespace asperity {
 
@@ -22,9 +23,9 @@ struct Columns {
   bool points() const { return of.size() > 1; }
 };
 
-/// As an option gives them, with units where they have none: "2/um,1/um,3/nm".
+/// As Reading::columns has them, with units where they have none: "2/um,1/um,3/nm".
 std::string example_of(const Columns& columns);
-/// `bare`: known to be heights. Throws DataError("map", …) naming the options that decide.
-Columns columns_of(const Table& table, const Reading& reading, bool quotes, bool bare);
+/// `bare`: known to be heights. Throws DataError("map", …) naming the parameters that decide.
+Columns columns_of(const Table& table, const std::vector<Label>& labels, const Reading& reading, bool bare);
 
 }  // namespace asperity

@@ -2,55 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
 #include "core/error.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr char32_t replacement = 0xfffd;
-
 bool is_control(unsigned char c) { return c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f'; }
 
-// The next unit of 16 bits, removed; a single last byte is the replacement.
-char32_t take_unit(std::string_view& bytes, bool big) {
-  if (bytes.size() < 2) {
-    bytes = {};
-    return replacement;
-  }
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-  const char32_t out = big ? byte(0) * 256u + byte(1) : byte(1) * 256u + byte(0);
-  bytes.remove_prefix(2);
-  return out;
-}
-
-char32_t take_character(std::string_view& bytes, bool big) {
-  const char32_t high = take_unit(bytes, big);
-  if (high < 0xd800 || high > 0xdfff) return high;
-  std::string_view next = bytes;
-  const char32_t low = next.empty() ? 0 : take_unit(next, big);
-  if (high > 0xdbff || low < 0xdc00 || low > 0xdfff) return replacement;
-  bytes = next;
-  return 0x10000 + ((high - 0xd800) << 10) + (low - 0xdc00);
-}
-
-void append(std::string& out, char32_t c) {
+void append_utf8(std::string& out, char32_t c) {
+  constexpr char32_t lead[] = {0, 0xc0, 0xe0, 0xf0};
+  const std::size_t more = c < 0x80 ? 0 : c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
   const auto put = [&](char32_t byte) { out += static_cast<char>(static_cast<unsigned char>(byte)); };
-  const auto rest = [&](int shift) { put(0x80 | ((c >> shift) & 0x3f)); };
-  if (c < 0x80) return put(c);
-  if (c < 0x800) {
-    put(0xc0 | (c >> 6));
-    return rest(0);
-  }
-  if (c < 0x10000) {
-    put(0xe0 | (c >> 12));
-  } else {
-    put(0xf0 | (c >> 18));
-    rest(12);
-  }
-  rest(6);
-  rest(0);
+  put(lead[more] | c >> 6 * more);
+  for (std::size_t n = more; n-- > 0;) put(0x80 | (c >> 6 * n & 0x3f));
 }
 
 }  // namespace
@@ -81,10 +46,9 @@ bool lacks_mark(std::string_view bytes) {
     zeros[i % 2] += c == 0;
     control[i % 2] += is_control(c);
   }
-  const auto nearly_all = share * static_cast<double>(bytes.size() / 2);
-  for (const std::size_t high : {std::size_t{0}, std::size_t{1}})
-    if (static_cast<double>(zeros[high]) >= nearly_all && control[1 - high] == 0) return true;
-  return false;
+  const double nearly_all = share * static_cast<double>(bytes.size() / 2);
+  return (static_cast<double>(zeros[0]) >= nearly_all && control[1] == 0) ||
+         (static_cast<double>(zeros[1]) >= nearly_all && control[0] == 0);
 }
 
 void refuse_without_mark(std::string_view bytes, const std::string& variable) {
@@ -93,11 +57,27 @@ void refuse_without_mark(std::string_view bytes, const std::string& variable) {
 }
 
 std::string utf8_from_utf16(std::string_view bytes) {
+  constexpr char32_t replacement = 0xfffd;
   const bool big = bytes.starts_with("\xfe\xff");
-  bytes.remove_prefix(2);
+  const auto unit = [&](std::size_t i) {
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(bytes[at]); };
+    return static_cast<char32_t>(big ? byte(i) * 256 + byte(i + 1) : byte(i + 1) * 256 + byte(i));
+  };
+  const auto half = [&](std::size_t i, char32_t first) {  // of a surrogate
+    return i + 1 < bytes.size() && unit(i) >= first && unit(i) < first + 0x400;
+  };
   std::string out;
   out.reserve(bytes.size() / 2);
-  while (!bytes.empty()) append(out, take_character(bytes, big));
+  for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+    const bool high = half(i, 0xd800);
+    if (high && half(i + 2, 0xdc00)) {
+      append_utf8(out, 0x10000 + ((unit(i) - 0xd800) << 10) + (unit(i + 2) - 0xdc00));
+      i += 2;
+    } else {
+      append_utf8(out, high || half(i, 0xdc00) ? replacement : unit(i));
+    }
+  }
+  if (bytes.size() % 2 == 1) append_utf8(out, replacement);
   return out;
 }
 

@@ -36,6 +36,8 @@ std::string text_of(const Field& rows, char separator = '\t', std::string_view m
 std::string_view take_line(std::string_view& text);
 /// Without blanks at both ends.
 std::string_view trimmed(std::string_view text);
+/// Whether a character is a letter, or of one beyond ASCII.
+bool is_alpha(char c);
 /// In lower case.
 std::string lower(std::string_view text);
 

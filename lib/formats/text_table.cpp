@@ -1,60 +1,40 @@
 #include "formats/text_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "formats/raster.hpp"
 #include "formats/refuse.hpp"
 #include "formats/text_encoding.hpp"
-#include "formats/text_labels.hpp"
-#include "formats/text_lines.hpp"
+#include "formats/text_head.hpp"
 
 namespace asperity {
 namespace {
 
-// The characters of a text that decide between dialects.
-struct Characters {
-  explicit Characters(std::string_view text)
-      : comma(has(text, ',')),
-        point(has(text, '.')),
-        quotes(has(text, '"')),
-        spaces(text.find_first_of(" \f\v") != text.npos) {
-    for (const Separator s : {Separator::tab, Separator::comma, Separator::semicolon})
-      separators[static_cast<std::size_t>(s)] = has(text, character_of(s));
-  }
-  static bool has(std::string_view text, char c) { return text.find(c) != text.npos; }
+bool has(std::string_view text, char c) { return text.find(c) != text.npos; }
 
-  bool comma, point, quotes, spaces;
-  std::array<bool, 5> separators{};
-};
-
-// Whether the user, or the characters of the text, exclude a dialect. Where commas separate, others may stand
+// All that neither the user nor the characters of the text exclude. Where commas separate, others may stand
 // in quotes.
-bool excluded(const Characters& text, const Reading& reading, Dialect d) {
-  const auto [separator, comma] = d;
-  const bool asked = reading.separator == separator, told = reading.decimal != DecimalMark::any;
-  const bool decimal = comma == Comma::decimal || comma == Comma::decimal_and_points;
-  if (reading.separator != Separator::any && !asked) return true;
-  if (told && decimal != (reading.decimal == DecimalMark::comma)) return true;
-  if (separator == Separator::comma && comma != Comma::none && !text.quotes) return true;
-  if (comma == Comma::decimal_and_points && !text.point) return true;
-  if (comma != Comma::none && !text.comma && !(told && decimal)) return true;
-  return !asked && separator != Separator::blank && !text.separators[static_cast<std::size_t>(separator)];
-}
-
-std::vector<Dialect> dialects_of(const Characters& text, const Reading& reading) {
+std::vector<Dialect> dialects_of(std::string_view text, const Reading& reading) {
+  const bool commas = has(text, ','), points = has(text, '.'), quotes = has(text, '"'),
+             given = reading.decimal != DecimalMark::any;
   std::vector<Dialect> out;
-  for (Separator s : {Separator::semicolon, Separator::tab, Separator::comma, Separator::blank})
-    for (Comma c : {Comma::none, Comma::decimal, Comma::thousands, Comma::decimal_and_points})
-      if (!excluded(text, reading, {s, c})) out.push_back({s, c});
+  for (const Separator s : {Separator::semicolon, Separator::tab, Separator::comma, Separator::blank}) {
+    const bool asked = reading.separator == s;
+    if (reading.separator != Separator::any && !asked) continue;
+    if (!asked && s != Separator::blank && !has(text, character_of(s))) continue;
+    for (const Comma c : {Comma::none, Comma::decimal, Comma::thousands, Comma::decimal_and_points}) {
+      const bool decimal = c == Comma::decimal || c == Comma::decimal_and_points;
+      if (given && decimal != (reading.decimal == DecimalMark::comma)) continue;
+      if (s == Separator::comma && c != Comma::none && !quotes) continue;
+      if (c == Comma::decimal_and_points && !points) continue;
+      if (c != Comma::none && !commas && !(given && decimal)) continue;
+      out.push_back({s, c, quotes});
+    }
+  }
   if (out.empty()) throw ParameterError("decimal", "a comma cannot be both decimal mark and separator");
   return out;
-}
-
-Eigen::Map<const Field> lines_of(const Table& table) {
-  return {table.values.data(), table.lines, table.columns};
 }
 
 bool same(const Table& a, const Table& b) {
@@ -62,133 +42,141 @@ bool same(const Table& a, const Table& b) {
   return a.columns == b.columns && std::ranges::equal(a.values, b.values, equal);
 }
 
+// The same cells separated by tabs, and by any blanks.
+bool tabs_for_blanks(Dialect a, Dialect b) {
+  return a.separator == Separator::tab && b.separator == Separator::blank && a.comma == b.comma;
+}
+
 // Tabs used only for alignment would leave a column empty if each of them ended a cell.
 bool tabs_decide(const Table& a, const Table& b) {
-  const bool tabs = a.dialect.separator == Separator::tab && b.dialect.separator == Separator::blank &&
-                    a.dialect.comma == b.dialect.comma;
-  if (!tabs || a.spaced || static_cast<Index>(a.values.size()) != a.lines * a.columns) return false;
-  return !lines_of(a).isNaN().colwise().all().any();
+  return tabs_for_blanks(a.dialect, b.dialect) && !a.spaced &&
+         static_cast<Index>(a.values.size()) == a.lines * a.columns &&
+         !a.field().isNaN().colwise().all().any();
 }
 
-std::string words_of(const Table& table) {
+std::string table_words(const Table& table) {
   return fmt::format("{}, {} per line, {}", counted(static_cast<Index>(table.values.size()), "number"),
                      table.columns, described(table.dialect));
-}
-
-// Whether a table's fault is further on in the text.
-bool further(const Table& a, const std::optional<Table>& b) {
-  if (!b || a.fault->line != b->fault->line) return !b || a.fault->line > b->fault->line;
-  return a.dialect.separator == b->dialect.separator && a.fault->at > b->fault->at;
 }
 
 // The text with semicolons for commas next to a blank, if other commas have no blank: these may be decimal
 // marks, as in "1,5, 2,5". Nothing if all commas are alike.
 std::string commas_apart(std::string_view text) {
-  const auto blank = [&](std::size_t i) { return i < text.size() && text[i] == ' '; };
-  const auto beside = [&](std::size_t comma) { return blank(comma + 1) || (comma > 0 && blank(comma - 1)); };
-  const auto next = [&](std::size_t from) { return text.find(',', from); };
-  std::array<bool, 2> seen{};
-  for (std::size_t i = next(0); i != text.npos && !(seen[0] && seen[1]); i = next(i + 1))
-    seen[beside(i)] = true;
-  if (!(seen[0] && seen[1])) return {};
-  std::string out(text);
-  for (std::size_t i = next(0); i != text.npos; i = next(i + 1))
-    if (beside(i)) out[i] = ';';
-  return out;
-}
-
-// Tabs and no other blanks: both separate the same cells, unless one of them is empty.
-bool alike(const Table& found, Dialect next, bool spaces) {
-  return !spaces && !found.holes && found.dialect.separator == Separator::tab &&
-         next.separator == Separator::blank && next.comma == found.dialect.comma;
+  std::string out;
+  bool alone = false;
+  for (std::size_t i = text.find(','); i != text.npos; i = text.find(',', i + 1)) {
+    const bool blank = text.substr(i + 1).starts_with(' ') || text.substr(0, i).ends_with(' ');
+    alone |= !blank;
+    if (blank && out.empty()) out = text;
+    if (blank) out[i] = ';';
+  }
+  return alone ? out : "";
 }
 
 // All ways to read a text that fit; of the others, the one whose fault is furthest on.
-struct Search {
-  std::optional<Table> found, refused, doubtful;
-  std::size_t first = std::string::npos;  // line of a number in any of them
+class Search {
+ public:
+  Search(const Asked& asked, const Reading& reading) : asked_(asked), reading_(reading) {}
 
-  // Of two ways, labels for all columns decide.
-  void choose(Table table, const Asked& asked) {
-    const bool mine = names_points(*found, asked.quotes), other = names_points(table, asked.quotes);
-    if (mine == other)
-      throw DataError(asked.variable,
-                      fmt::format("the text is ambiguous: {}; or {}: give asperity-convert the "
-                                  "`separator` or the `decimal` mark",
-                                  words_of(*found), words_of(table)));
-    if (other) found = std::move(table);
+  Table best(std::string_view text) {
+    const bool spaces = text.find_first_of(" \f\v") != text.npos;
+    for (const Dialect dialect : dialects_of(text, reading_)) {
+      const bool alike = found_ && !spaces && !found_->holes && tabs_for_blanks(found_->dialect, dialect);
+      if (!alike) add(read_table(text, dialect, asked_));
+    }
+    check_faults();
+    if (reading_.decimal == DecimalMark::any) check_marks();
+    check_commas(text);
+    return *std::move(found_);
   }
 
-  void add(Table table, const Asked& asked) {
-    if (table.first_line > 0) first = std::min(first, table.first_line);
+ private:
+  [[noreturn]] void refuse_text(const std::string& what) const { throw DataError(asked_.variable, what); }
+  [[noreturn]] void refuse_ambiguous(const std::string& what) const {
+    refuse_text("the text is ambiguous: " + what);
+  }
+
+  void add(Table table) {
+    if (table.first_line > 0) first_ = std::min(first_, table.first_line);
     if (table.fault) {
-      if (table.doubtful && !doubtful) doubtful = table;
-      if (further(table, refused)) refused = std::move(table);
-    } else if (!found || found->first_line > table.first_line) {
-      found = std::move(table);
-    } else if (found->first_line == table.first_line && !same(*found, table) && !tabs_decide(*found, table)) {
-      choose(std::move(table), asked);
+      if (table.fault->doubtful && !doubtful_) doubtful_ = table;
+      if (further(table)) refused_ = std::move(table);
+    } else if (!found_ || found_->first_line > table.first_line) {
+      found_ = std::move(table);
+    } else if (found_->first_line == table.first_line && !same(*found_, table) &&
+               !tabs_decide(*found_, table)) {
+      choose(std::move(table));
     }
   }
 
-  // Where numbers above the table fit another way only, that way is meant and has a fault.
-  Table best(const Asked& asked, bool told) && {
-    const std::string& variable = asked.variable;
-    if (!found || (refused && asked.head && first < found->first_line))
-      throw DataError(variable, refused->fault->what);
-    if (doubtful && (doubtful->columns != found->columns || found->dialect.separator == Separator::blank))
-      throw DataError(variable, doubtful->fault->what);
-    const Comma comma = found->dialect.comma;
-    const bool thousands = comma == Comma::thousands || comma == Comma::decimal_and_points;
-    if (thousands && (!found->proved || found->contradicted) && !told)
-      throw DataError(
-          variable,
-          fmt::format("the text is ambiguous: a {} is a decimal mark beside decimal {}, or between "
-                      "thousands: write one decimal mark, or give asperity-convert the `decimal` mark",
-                      comma == Comma::thousands ? "comma" : "point",
-                      comma == Comma::thousands ? "points" : "commas"));
-    if (!found->mixed.empty() && !told)
-      throw DataError(variable,
-                      fmt::format("the text is ambiguous: the point of {} is a decimal mark, or between "
-                                  "thousands, for its column has numbers of three digits without one: "
-                                  "give asperity-convert the `decimal` mark",
-                                  quoted(found->mixed)));
-    return *std::move(found);
+  bool further(const Table& a) const {
+    if (!refused_ || a.fault->line != refused_->fault->line)
+      return !refused_ || a.fault->line > refused_->fault->line;
+    return a.dialect.separator == refused_->dialect.separator && a.fault->at > refused_->fault->at;
   }
-};
 
-void check_commas(const Table& found, std::string_view text, const Asked& asked, const Reading& reading) {
-  const bool told = reading.separator != Separator::any || reading.decimal != DecimalMark::any;
-  if (found.dialect.separator != Separator::comma || told || asked.quotes) return;
-  const std::string apart = commas_apart(text);
-  if (!apart.empty() && !read_table(apart, {Separator::semicolon, Comma::decimal}, asked).fault)
-    throw DataError(asked.variable,
-                    "the text is ambiguous: " + words_of(found) +
-                        "; or separated by comma and blank, with decimal commas: tell "
-                        "asperity-convert that the comma is the separator, or write semicolons");
-}
+  // Of two ways, labels for all columns decide.
+  void choose(Table table) {
+    const bool mine = names_points(*found_), other = names_points(table);
+    if (mine == other)
+      refuse_ambiguous(fmt::format("{}; or {}: give the `separator` or the `decimal` mark",
+                                   table_words(*found_), table_words(table)));
+    if (other) found_ = std::move(table);
+  }
+
+  // Where numbers above the table fit another way only, that way is meant and has a fault.
+  void check_faults() const {
+    if (!found_ || (refused_ && asked_.head && first_ < found_->first_line))
+      refuse_text(refused_->fault->what);
+    if (doubtful_ && (doubtful_->columns != found_->columns || found_->dialect.separator == Separator::blank))
+      refuse_text(doubtful_->fault->what);
+  }
+
+  // Where the decimal mark is not given.
+  void check_marks() const {
+    const Comma comma = found_->dialect.comma;
+    const bool commas = comma == Comma::thousands;
+    if ((commas || comma == Comma::decimal_and_points) && (!found_->proved || found_->contradicted))
+      refuse_ambiguous(
+          fmt::format("a {} is a decimal mark, as {}s are, or stands between thousands: write "
+                      "one decimal mark, or give the `decimal` mark",
+                      commas ? "comma" : "point", commas ? "point" : "comma"));
+    if (!found_->mixed.empty())
+      refuse_ambiguous(
+          fmt::format("the point of {} is a decimal mark, or between thousands, for its column "
+                      "has numbers of three digits without one: give the `decimal` mark",
+                      quoted(found_->mixed)));
+  }
+
+  void check_commas(std::string_view text) const {
+    const bool given = reading_.separator != Separator::any || reading_.decimal != DecimalMark::any;
+    if (found_->dialect.separator != Separator::comma || given || found_->dialect.quotes) return;
+    const std::string apart = commas_apart(text);
+    if (!apart.empty() && !read_table(apart, {Separator::semicolon, Comma::decimal}, asked_).fault)
+      refuse_ambiguous(table_words(*found_) +
+                       "; or separated by comma and blank, with decimal commas: say that "
+                       "the comma is the separator (`separator`), or write semicolons");
+  }
+
+  const Asked& asked_;
+  const Reading& reading_;
+  std::optional<Table> found_, refused_, doubtful_;
+  std::size_t first_ = std::string::npos;  // line of a number in any of them
+};
 
 Table table_of(std::string_view text, Asked asked, const Reading& reading) {
   if (is_utf16(text)) throw DataError(asked.variable, "the text is in UTF-16: save it as UTF-8");
   refuse_without_mark(text, asked.variable);
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  const Characters characters(text);
-  asked.quotes = characters.quotes;
   asked.missing = reading.missing;
-  Search search;
-  for (const Dialect dialect : dialects_of(characters, reading))
-    if (!search.found || !alike(*search.found, dialect, characters.spaces))
-      search.add(read_table(text, dialect, asked), asked);
-  Table out = std::move(search).best(asked, reading.decimal != DecimalMark::any);
-  check_commas(out, text, asked, reading);
-  return out;
+  return Search(asked, reading).best(text);
 }
 
 }  // namespace
 
 Field matrix_of(std::string_view text, const std::string& variable, std::size_t first_line,
                 const Reading& reading) {
-  return lines_of(table_of(text, {first_line, {}, variable, reading.memory}, reading));
+  return table_of(text, {first_line, {}, variable, reading.memory}, reading).field();
 }
 
 Field field_of_lines(std::string_view text, Shape shape, std::size_t first_line, const Reading& reading) {

@@ -1,26 +1,18 @@
-/// Tables of numbers in text.
+/// Tables of numbers in text: which way to read one is found for the whole text.
 ///
-/// The separator and the meaning of commas are found for the whole text: all ways to read it are tried, and
-/// one fits if every line has the same count of numbers. Separators are blanks (any run of blanks and tabs),
-/// or a tab, comma or semicolon, each of which ends one cell; the decimal mark is a point, or a comma that is
-/// not a separator or stands in quotes. If no way fits, the text is refused with the first line in error. If
-/// two ways fit and give different numbers ("1,5" is 1.5, or 1 and 5), it is refused unless `reading`
-/// decides, or only one way has labels of coordinates and heights for all its columns. Commas between
-/// thousands are accepted only if nothing else fits ("1,234.5 2,000"), points only beside a decimal comma.
-/// Unless the decimal mark is told, some number must have both, or two of them ("1.234,5", "1,234,567"), and
-/// none may lack them ("1512.523"). Where tabs and blanks both fit, tabs end cells,
-/// unless that leaves a column empty. Blanks between tabs may
-/// stand between thousands ("1 234,5"), if the text cannot be read with blanks as separators too.
+/// All ways are tried (formats/text_lines.hpp), and one fits if every line has the same count of numbers. The
+/// decimal mark is a point, or a comma that is not a separator or stands in quotes. If no way fits, the text
+/// is refused with the first line in error. If two ways fit and give different numbers ("1,5" is 1.5, or 1
+/// and 5), it is refused unless `reading` decides, or only one way has labels of coordinates and heights for
+/// all its columns. Commas between thousands are accepted only if nothing else fits ("1,234.5 2,000"), points
+/// only with a decimal comma. Unless `reading` gives the decimal mark, some number must have both, or two of
+/// them ("1.234,5", "1,234,567"), and none may lack them ("1512.523"). Where tabs and blanks both fit, tabs
+/// end cells, unless that leaves a column empty. Blanks between tabs may stand between thousands ("1 234,5"),
+/// if the text cannot be read with blanks as separators too.
 ///
-/// An empty cell is a missing point. If every line ends with a separator, there is no cell after it. Lines
-/// that are empty or begin with # or %, or with ; if it is not the separator, are ignored, except
-/// those that may be lines of the table (is_comment(), formats/text_lines.hpp); in a line of
-/// separators only, all points are missing. A byte-order mark of UTF-8 is ignored; UTF-16 is refused. A line
-/// ends with LF, CR LF or CR.
-///
-/// Lines of words above the numbers are read by table_with_head() only (formats/text_lines.hpp). Of ways that
-/// fit, the one counts whose numbers begin first; where numbers above them fit only a way that fails later,
-/// the text is refused, so that no line of numbers passes for words.
+/// Lines of words above the numbers are read by table_with_head() only. Of ways that fit, the one counts
+/// whose numbers begin first; where numbers above them fit only a way that fails later, the text is refused,
+/// so that no line of numbers passes for words. A byte-order mark of UTF-8 is ignored.
 ///
 /// Cost      at most sixteen passes; usually all but one or two end at the first line. Memory for two tables
 ///           of eight bytes per number, with at most one number per byte of text; `reading` must allow three

@@ -51,14 +51,14 @@ Points heights_of_layers(const Dataset& dataset) {
   return out;
 }
 
-double step_of(const Points& points, double otherwise) {
+double depth_step(const Points& points, double otherwise) {
   return points.size() < 2 ? otherwise
                            : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
 }
 
 // Ranges of depths are sums of steps, with errors far below a millionth of a step.
 bool evenly_spaced(const Points& points) {
-  const double step = step_of(points, 0);
+  const double step = depth_step(points, 0);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!(std::abs(points[i] - points.front() - static_cast<double>(i) * step) <= 1e-6 * step)) return false;
   return true;
@@ -157,8 +157,8 @@ std::string declared(std::string_view element, const Arrays& arrays, std::size_t
 }
 
 // `geometry` holds attributes of the grid element; empty if coordinates are listed.
-std::string encode(const Block& block, std::string_view kind, std::string_view geometry,
-                   const Arrays& coordinates) {
+std::string encode_block(const Block& block, std::string_view kind, std::string_view geometry,
+                         const Arrays& coordinates) {
   const bool volumes = !block.volumes.empty();
   std::size_t size = 0;
   std::string out = fmt::format(
@@ -187,16 +187,17 @@ std::string encode_vti(const Dataset& dataset) {
   const Grid grid = grid_of(dataset);
   if (!evenly_spaced(block.z))
     throw DataError("z", "depths are not evenly spaced, which vti needs: write vtr");
-  const std::string geometry = fmt::format(
-      " Origin=\"{} {} {}\" Spacing=\"{} {} {}\"", shortest(block.x.front()), shortest(block.y.front()),
-      shortest(block.z.front()), shortest(grid.dx), shortest(grid.dy), shortest(step_of(block.z, grid.dx)));
-  return encode(block, "ImageData", geometry, {});
+  const std::string geometry =
+      fmt::format(" Origin=\"{} {} {}\" Spacing=\"{} {} {}\"", shortest(block.x.front()),
+                  shortest(block.y.front()), shortest(block.z.front()), shortest(grid.dx), shortest(grid.dy),
+                  shortest(depth_step(block.z, grid.dx)));
+  return encode_block(block, "ImageData", geometry, {});
 }
 
 std::string encode_vtr(const Dataset& dataset) {
   const Block block(dataset);
-  return encode(block, "RectilinearGrid", "",
-                {coordinate("x", block.x), coordinate("y", block.y), coordinate("z", block.z)});
+  return encode_block(block, "RectilinearGrid", "",
+                      {coordinate("x", block.x), coordinate("y", block.y), coordinate("z", block.z)});
 }
 
 }  // namespace asperity

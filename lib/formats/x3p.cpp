@@ -158,9 +158,9 @@ Field values_listed(pugi::xml_node node, std::string_view list, Shape shape, con
   return Eigen::Map<const Field>(values.data(), shape.ny, shape.nx).transpose();
 }
 
-bool recognises(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
+bool is_x3p(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
-Map decode(std::string_view bytes, const Reading& reading) {
+Map decode_x3p(std::string_view bytes, const Reading& reading) {
   const std::unique_ptr<const ZipArchive> opened = ZipArchive::open(bytes, main_file);
   const ZipArchive& archive = *opened;
   const std::string main = read_main(archive, reading.memory);
@@ -207,7 +207,7 @@ constexpr char main_form[] =
     "DataLink>\n"
     "</Record3>\n<Record4>\n<ChecksumFile>{}</ChecksumFile>\n</Record4>\n</p:ISO5436_2>\n";
 
-std::string encode(const Map& map, Order) {
+std::string encode_x3p(const Map& map, Order) {
   check_heights(map, "X3P");
   const std::string data = bytes_of(map.values);
   const std::string main =
@@ -220,6 +220,6 @@ std::string encode(const Map& map, Order) {
 
 }  // namespace
 
-const Format format::x3p{"x3p", "x3p", "X3P, ISO 5436-2 and ISO 25178-72", recognises, decode, encode};
+const Format format::x3p{"x3p", "x3p", "X3P, ISO 5436-2 and ISO 25178-72", is_x3p, decode_x3p, encode_x3p};
 
 }  // namespace asperity

@@ -27,7 +27,7 @@ std::string_view text_of_child(pugi::xml_node node, std::string_view name) {
 
 namespace {
 
-double number_in(pugi::xml_node node, std::string_view name, double otherwise) {
+double x3p_number(pugi::xml_node node, std::string_view name, double otherwise) {
   const std::string_view text = text_of_child(node, name);
   if (text.empty()) return otherwise;
   const auto number = number_of(text);
@@ -42,16 +42,16 @@ Index size_in(pugi::xml_node dimensions, std::string_view name) {
   return *size;
 }
 
-double spacing_of(pugi::xml_node axes, std::string_view name) {
+double x3p_spacing(pugi::xml_node axes, std::string_view name) {
   const pugi::xml_node axis = child(axes, name);
   if (text_of_child(axis, "AxisType") != "I")
     refuse("axis {} in main.xml is not incremental (AxisType I): write points as text, columns x y z", name);
-  const double out = number_in(axis, "Increment", 0);
+  const double out = x3p_number(axis, "Increment", 0);
   if (!(out > 0)) refuse("Increment {} of {} in main.xml is not positive", out, name);
   return out;
 }
 
-NumberType type_of(std::string_view code) {
+NumberType x3p_type(std::string_view code) {
   constexpr std::pair<std::string_view, NumberType> types[] = {{"I", NumberType::int16},
                                                                {"L", NumberType::int32},
                                                                {"F", NumberType::float32},
@@ -64,10 +64,10 @@ NumberType type_of(std::string_view code) {
 void take_heights(Head& head, pugi::xml_node z) {
   const std::string_view kind = text_of_child(z, "AxisType");
   if (!kind.empty() && kind != "A") refuse("axis CZ in main.xml is not absolute (AxisType A)");
-  head.type = type_of(text_of_child(z, "DataType"));
-  head.offset = number_in(z, "Offset", 0);
+  head.type = x3p_type(text_of_child(z, "DataType"));
+  head.offset = x3p_number(z, "Offset", 0);
   const bool floats = head.type == NumberType::float32 || head.type == NumberType::float64;
-  const double increment = number_in(z, "Increment", floats ? 1 : 0);
+  const double increment = x3p_number(z, "Increment", floats ? 1 : 0);
   if (increment == 0) refuse("Increment of CZ in main.xml is missing or 0");
   head.increment = floats ? 1 : increment;
   if (head.increment != increment)
@@ -87,7 +87,7 @@ Eigen::Array33i rotation_in(pugi::xml_node node) {
   for (Index i = 0; i < 3; ++i)
     for (Index j = 0; j < 3; ++j) {
       const std::string name = fmt::format("r{}{}", i + 1, j + 1);
-      const double element = number_in(node, name, Map::unknown),
+      const double element = x3p_number(node, name, Map::unknown),
                    whole = std::clamp(std::round(element), -1.0, 1.0);
       if (!(std::abs(element - whole) <= round_off))
         refuse("Rotation in main.xml takes the points off their grid, {} is {}: {}", name, shortest(element),
@@ -125,7 +125,7 @@ Head head_of(pugi::xml_node root) {
   const pugi::xml_node dimensions = child(child(root, "Record3"), "MatrixDimension");
   if (size_in(dimensions, "SizeZ") != 1) refuse("the file has more than one layer: SizeZ is not 1");
   Head out{.shape = {size_in(dimensions, "SizeX"), size_in(dimensions, "SizeY")},
-           .spacing = {spacing_of(axes, "CX"), spacing_of(axes, "CY")},
+           .spacing = {x3p_spacing(axes, "CX"), x3p_spacing(axes, "CY")},
            .rotation = rotation_in(child(axes, "Rotation"))};
   take_heights(out, child(axes, "CZ"));
   if (out.rotation.matrix() != Eigen::Matrix3i::Identity())

@@ -80,7 +80,7 @@ TEST_CASE("an ESRI grid that lies about itself is refused with what is wrong", "
   Map map = small_map();
   map.spacing[0] = Map::unknown;
   CHECK_THROWS_WITH(format::esri.encode(map, Order::xy),
-                    "the map has no size, which an ESRI grid needs: give asperity-convert its `size`");
+                    "the map has no size, which an ESRI grid needs: give its `size`");
   map = small_map();
   map.values(0, 0) = -1e308;
   CHECK_THROWS_WITH(format::esri.encode(map, Order::xy), ContainsSubstring("can mark missing points"));

@@ -105,7 +105,7 @@ TEST_CASE("a dataset of a map with missing points has a mask, and the map is had
 TEST_CASE("a map without a size or without a point makes no dataset", "[formats][contract]") {
   Map map = small_map();
   map.spacing[1] = Map::unknown;
-  CHECK_THROWS_WITH(dataset_of(map), Catch::Matchers::Contains("give asperity-convert its `size`"));
+  CHECK_THROWS_WITH(dataset_of(map), Catch::Matchers::Contains("give its `size`"));
   map = small_map();
   map.values.setConstant(std::nan(""));
   CHECK_THROWS_WITH(dataset_of(map), "all points are missing");

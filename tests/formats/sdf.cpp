@@ -124,7 +124,7 @@ TEST_CASE("a map that SDF cannot hold is not written as one", "[formats][contrac
   map = small_map();
   map.spacing[1] = Map::unknown;
   CHECK_THROWS_WITH(format::sdf_ascii.encode(map, Order::xy),
-                    "the map has no size, which SDF needs: give asperity-convert its `size`");
+                    "the map has no size, which SDF needs: give its `size`");
   map = small_map();
   map.values = Field::Zero(65536, 1);
   CHECK_THROWS_WITH(format::sdf.encode(map, Order::xy), ContainsSubstring("65535 points"));

@@ -219,8 +219,7 @@ TEST_CASE("commas stand between thousands only where a number proves it and none
           "[formats][text][contract]") {
   for (const char* text : {"x[um];y[um];z[nm]\n0;0;1512.523\n1;0;481,945\n0;1;500.5\n1;1;600.5\n",
                            "1.5\n1,523\n2.512\n", "1,234.5;2\n1512.523;3\n", "1.234,5;2\n1512,523;3\n"})
-    CHECK_THAT(refusal(text),
-               ContainsSubstring("write one decimal mark, or give asperity-convert the `decimal`"));
+    CHECK_THAT(refusal(text), ContainsSubstring("write one decimal mark, or give the `decimal`"));
   CHECK(same(format::text.decode("1,234.5\n2,000\n3.5\n", {}).values, field({{1234.5}, {2000}, {3.5}})));
   CHECK(same(format::text.decode("1,234,567;1.5\n", {}).values, field({{1234567, 1.5}})));
   Reading told;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "tools/cli/documents.hpp"
 #include "tools/cli/plain_text.hpp"
@@ -101,6 +102,18 @@ std::string nearest_tool(const std::string& word) {
 
 bool is_option(const std::string& name) {
   return std::ranges::any_of(entries, [&](const Entry& e) { return e.option == name && e.now.empty(); });
+}
+
+std::string tool_with(const CLI::App& app, const std::string& option) {
+  if (app.get_option_no_throw(option) != nullptr) return "";
+  std::string_view first;
+  for (const Entry& e : entries) {
+    if (e.option != option || !e.now.empty()) continue;
+    const std::vector<std::string_view> tools = words_of(e.tools);
+    for (const std::string_view tool : {"convert", "filter"})
+      if (first.empty() && std::ranges::find(tools, tool) != tools.end()) first = tool;
+  }
+  return first.empty() ? "" : fmt::format("; asperity-{} has {}", first, option);
 }
 
 std::string in_words(const CLI::Error& error) {

@@ -20,6 +20,8 @@ std::string nearest_tool(const std::string& word);
 
 /// Of any tool, "--size".
 bool is_option(const std::string& name);
+/// "; asperity-convert has --size" where the tool itself has no such option.
+std::string tool_with(const CLI::App& app, const std::string& option);
 
 /// The message of an error of CLI11.
 std::string in_words(const CLI::Error& error);

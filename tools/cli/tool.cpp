@@ -49,8 +49,9 @@ std::string sentence(const std::string& subject, const std::string& text) {
   return subject + (verb ? " " : ": ") + text;
 }
 
-// The library names parameters between ` and `; here they are options.
-std::string with_options(std::string text) {
+// The library names parameters between ` and `; here they are options, perhaps of another tool.
+std::string with_options(std::string text, const CLI::App& app) {
+  std::string elsewhere;
   for (std::size_t at = 0; (at = text.find('`', at)) != text.npos;) {
     const std::size_t end = text.find('`', at + 1);
     if (end == text.npos) break;
@@ -61,8 +62,9 @@ std::string with_options(std::string text) {
     }
     text.replace(at, end - at + 1, option);
     at += option.size();
+    if (elsewhere.empty()) elsewhere = tool_with(app, option);
   }
-  return text;
+  return text + elsewhere;
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -124,8 +126,7 @@ std::string Tool::in_file(const DataError& error) const {
   std::string line = sentence(error.name, error.what());
   const KnownResult* result = result_of_variable(error.name);
   const bool missing = dynamic_cast<const MissingVariable*>(&error) != nullptr;
-  if (missing && (error.name == "x" || error.name == "y"))
-    line += ". asperity-convert `size` gives a bare array its axes";
+  if (missing && (error.name == "x" || error.name == "y")) line += ". `size` gives a bare array its axes";
   if (missing && result != nullptr && result->name != "heights")
     line += ". asperity-" + std::string(result->prefix.substr(0, result->prefix.find('_'))) + " computes it";
   const bool named = reading_.empty() || reading_ == "-" || line.starts_with(reading_ + ": ");
@@ -167,9 +168,9 @@ int Tool::guarded(int argc, char** argv, const std::function<int()>& body) try {
 } catch (const CLI::Error& e) {
   return fail(usage_error, app_->remaining().empty() ? in_words(e) : unexpected());
 } catch (const ParameterError& e) {
-  return fail(usage_error, with_options(sentence(typed(e.name, e.what()), e.what())));
+  return fail(usage_error, with_options(sentence(typed(e.name, e.what()), e.what()), *app_));
 } catch (const DataError& e) {
-  return fail(bad_data, with_options(in_file(e)));
+  return fail(bad_data, with_options(in_file(e), *app_));
 } catch (const std::bad_alloc&) {
   return fail(runtime_error, "out of memory");
 } catch (const std::exception& e) {
@@ -216,14 +217,14 @@ std::vector<std::string> Tool::Repeated::rest() {
 void Tool::warn(const std::string& text) const {
   in_order([this, text] {
     const std::optional<std::string> line = subject_.empty() ? text : warnings_.first(subject_, text);
-    if (line) say(name_ + ": warning: " + with_options(*line));
+    if (line) say(name_ + ": warning: " + with_options(*line, *app_));
   });
 }
 
 void Tool::note(const std::string& text) const {
   in_order([this, text] {
     const std::optional<std::string> line = subject_.empty() ? text : notes_.first(subject_, text);
-    if (line && !quiet_) say(name_ + ": " + with_options(*line));
+    if (line && !quiet_) say(name_ + ": " + with_options(*line, *app_));
   });
 }
 
