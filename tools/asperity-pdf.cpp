@@ -151,7 +151,7 @@ class Distribution {
     return cli::quantiles_of(of, what_.points ? what_.points : 99);
   }
   cli::Table table_of(const Surface& surface) const {
-    const Sample of(surface, false, tool_.thread_count());
+    const Sample of(surface, tool_.thread_count());
     warn_of_few(tool_, of.size());
     if (what_.estimate == "kernel")
       return cli::density_of(of, bandwidth_for(what_, values_), what_.points ? what_.points : 256,

@@ -29,7 +29,7 @@ class Surfaces {
     grids_.add(tool_, grid_of(data), name, si_unit_of(data.at(field_.variable)));
     Surface surface = field_.read_flat(tool_, data);
     if (surface.flat) return add_flat(surface);
-    add(Sample(std::move(surface), asked_.groups.contains(Group::hybrid), tool_.thread_count()), alone);
+    add(Sample(std::move(surface), tool_.thread_count()), alone);
   }
   void print() const {
     for (const std::string& group : missing_) tool_.warn(group);

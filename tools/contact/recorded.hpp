@@ -3,7 +3,7 @@
 
 #include "contact/grid_error.hpp"
 #include "dataset/dataset.hpp"
-#include "stats/hybrid/slope_growth.hpp"
+#include "stats/hybrid/slopes.hpp"
 
 namespace asperity::cli {
 

@@ -6,8 +6,7 @@
 
 #include "contact/ratios.hpp"
 #include "dataset/dataset.hpp"
-#include "stats/hybrid/seam.hpp"
-#include "stats/hybrid/slope_growth.hpp"
+#include "stats/hybrid/slopes.hpp"
 #include "tools/cli/shared_fields.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/contact/options.hpp"
