@@ -47,7 +47,7 @@ Parameters measure(const Surface& surface, const MeasureOptions& options = {});
 /// with the reason in `why`; the other groups throw DataError.
 Parameters measure(const Sample& sample, Group group, const MeasureOptions& options);
 /// White noise of this rms height in place of the heights of a flat surface.
-Sample stand_in(Surface flat, double rms = 1, bool derivatives = false);
+Sample stand_in(Surface flat, double rms = 1);
 /// Of a FlatSurface: the limits for heights c w, c → 0, w the stand-in's. A parameter that grows with c is 0;
 /// others, and those of summits, of which there is none, have no value, but for the mean and the numbers of
 /// points and profiles.

@@ -126,7 +126,7 @@ struct Counting {
     return cli::quantiles_of(of, quantiles());
   }
   cli::Table table(const Surface& surface, const Values& values, bool alone) const {
-    const Sample of(surface, false, tool.thread_count());
+    const Sample of(surface, tool.thread_count());
     warn_of_few(tool, of.size());
     if (what.estimate == "quantiles") return cli::quantiles_of(of, quantiles());
     if (what.estimate == "kernel")

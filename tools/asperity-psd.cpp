@@ -101,7 +101,7 @@ void describe(Dataset& data, const Surface& surface, const DataWindows& windows)
 cli::Table table(const cli::Tool& tool, const Options& what, Surface surface) {
   const DataWindows windows = what.windows(surface.grid);
   const bool flat = surface.flat;
-  const Sample sample = flat ? stand_in(surface) : Sample(std::move(surface), false, tool.thread_count());
+  const Sample sample = flat ? stand_in(surface) : Sample(std::move(surface), tool.thread_count());
   cli::Table out = what.result.result == "profiles" ? profiles(sample, windows) : radial(sample, windows);
   const auto psd = static_cast<std::size_t>(std::ranges::find(out.columns, "psd", &cli::Column::name) -
                                             out.columns.begin());

@@ -40,7 +40,7 @@ std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data,
   field_of(data, o.measured.variable, Missing::not_a_number);
   std::optional<Sample> sample;
   try {
-    sample.emplace(o.measured.read(tool, data), true, tool.thread_count());
+    sample.emplace(o.measured.read(tool, data), tool.thread_count());
   } catch (const DataError& error) {
     return {{"Height parameters", {}, error.what()}};
   }

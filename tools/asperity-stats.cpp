@@ -82,7 +82,7 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const
       for (Parameter& row : measure_flat(surface, group, asked)) out.rows.push_back(std::move(row));
     return out;
   }
-  const Sample sample(std::move(surface), asked.groups.contains(Group::hybrid), tool.thread_count());
+  const Sample sample(std::move(surface), tool.thread_count());
   Measured out = measured(tool, field.variable, asked, sample);
   settle_errors(tool, options.errors, asked, sample, member.alone(), out.rows);
   return out;

@@ -8,7 +8,7 @@
 ///
 /// First table, by kind and figure; `all` scenes, and `fine` ones, on more than 128 cells a side:
 ///
-/// scenes        those that the grid resolves (stats/hybrid/slope_growth.hpp), and whose figure has an error
+/// scenes        those that the grid resolves (stats/hybrid/slopes.hpp), and whose figure has an error
 /// unresolved    those it does not: they get none
 /// within        share of the scenes whose true error is no more than the stated one
 /// ratio         median of stated over true
@@ -29,7 +29,6 @@
 #include "contact/outline.hpp"
 #include "contact/ratios.hpp"
 #include "contact_grid_scenes.hpp"
-#include "stats/hybrid/slope_growth.hpp"
 #include "stats/hybrid/slopes.hpp"
 #include "stress/layers.hpp"
 #include "stress/maximum.hpp"

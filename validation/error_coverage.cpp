@@ -95,7 +95,7 @@ Parameters measured(const Field& heights, int degree, bool spectra, Index twins 
                     Group::hybrid, Group::spatial,   Group::profiles};
   options.quantiles = {0.02, 0.5, 0.9};
   const Surface surface = prepared({grid, micrometre * heights}, {.form = {.degree = degree}});
-  const Sample sample(surface, true);
+  const Sample sample(surface);
   Parameters out;
   for (const Group group : options.groups)
     std::ranges::copy(measure(sample, group, options), std::back_inserter(out));

@@ -88,7 +88,7 @@ struct Work {
 
 void height_errors(const Surface& surface) {
   MeasureOptions options;
-  measure(Sample(surface, false, 1), Group::height, options);
+  measure(Sample(surface), Group::height, options);
 }
 
 void acf(const Surface& surface) {

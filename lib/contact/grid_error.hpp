@@ -16,7 +16,7 @@
 /// apart; this is taken off.
 ///
 /// Symbols   v any figure   n cells along a side   Δx, Δy cell [m]   Rx, Ry radii of the gap [m]
-/// Scope     a surface that the grid resolves (stats/hybrid/slope_growth.hpp); another has no contact to
+/// Scope     a surface that the grid resolves (stats/hybrid/slopes.hpp); another has no contact to
 ///           converge to. The contact lies inside its domain. Errors are about the surface between the
 ///           samples as its own band limit has it, not as it was before it was sampled.
 /// Accuracy  validation/contact_grid_error: how often the true error is within the stated one, by scene.

@@ -27,40 +27,30 @@ Moments moments_of(const Eigen::VectorXd& m) {
 
 }  // namespace
 
-HeightErrors::HeightErrors(const Grid& grid, double mean, double sq, int degree)
-    : mean_(mean), sq_(sq), degree_(degree), sums_(grid, local) {
-  if (degree == 0) return;
-  products_ = polynomials(grid.shape, degree + 2);
-  gram_ = products_.none();
-}
-
-void HeightErrors::add(const Field& z, int threads) {
-  if (degree_ > 0) {
-    modes_ = products_.sums(zero_filled((z - mean_) / sq_));
-    products_.add(gram_, validity(z));
-  }
-  const auto fill = [&](Index i, LocalSums::Values& values) {
+HeightErrors::HeightErrors(const Field& z, const Grid& grid, const FieldExtent& extent,
+                           const Moments& moments, int degree, int threads)
+    : mean_(moments.mean), sq_(moments.sq), degree_(degree), patches_(extent.patches) {
+  LocalSums sums(grid, local);
+  sums.add_rows(z.rows(), threads, [&](Index i, LocalSums::Values& values) {
     const Eigen::ArrayXd x = (z.row(i).transpose() - mean_) / sq_, square = x.square();
     auto set = [&](Local a, const auto& value) { values.col(a + 1) = value.matrix(); };
     set(first, x), set(second, square), set(third, square * x), set(fourth, square.square());
     set(absolute, x.abs()), set(sign, x.sign());
-  };
-  sums_.add_rows(z.rows(), threads, fill);
+  });
+  means_ = sums.means(extent);
+  if (degree > 0) find_power((z - mean_) / sq_, sums.count());
 }
 
 // The heights lack the modes of the form, so that their power is that of the others.
-void HeightErrors::finish(const FieldExtent& extent) {
-  means_ = sums_.means(extent);
-  patches_ = extent.patches;
-  if (degree_ == 0) return;
-  const Eigen::MatrixXd modes = orthonormal(gram_, least_share);
-  taken_ = std::ranges::count_if(products_.terms(), [&](const auto& t) { return t.a + t.b <= degree_; });
-  next_ = modes.rows() - taken_;
-  if (next_ < 1) {  // of so narrow an outline
-    next_ = 0, power_ = NAN;
-    return;
-  }
-  power_ = (modes * modes_).squaredNorm() / (static_cast<double>(next_) * sums_.count());
+void HeightErrors::find_power(const Field& x, double points) {
+  const AxisProducts products = polynomials(shape_of(x), degree_ + 2);  // P_a P_b, a + b ≤ d + 2
+  Eigen::MatrixXd gram = products.none();
+  products.add(gram, validity(x));
+  const Eigen::MatrixXd modes = orthonormal(gram, least_share);
+  taken_ = std::ranges::count_if(products.terms(), [&](const auto& t) { return t.a + t.b <= degree_; });
+  next_ = std::max<Index>(0, modes.rows() - taken_);
+  if (next_ == 0) return;  // of so narrow an outline
+  power_ = (modes * products.sums(zero_filled(x))).squaredNorm() / (static_cast<double>(next_) * points);
 }
 
 double HeightErrors::degrees_of_mean() const { return degree_ == 0 ? degrees() : static_cast<double>(next_); }
@@ -86,17 +76,16 @@ double HeightErrors::operator()(const Function& parameter) const {
   });
 }
 
-QuantileErrors::QuantileErrors(const Grid& grid, const FieldExtent& extent, std::vector<double> heights)
+QuantileErrors::QuantileErrors(const Field& z, const Grid& grid, const FieldExtent& extent,
+                               std::vector<double> heights)
     : heights_(std::move(heights)),
       ascending_(heights_),
       errors_(grid, extent, static_cast<Index>(heights_.size()) + 1) {
   std::ranges::sort(ascending_);
-}
-
-// Class k holds heights up to the k-th and above the one before.
-void QuantileErrors::add(const Field& z) {
+  // Class k holds heights up to the k-th and above the one before.
   errors_.add(
       z, [this](double height) { return std::ranges::lower_bound(ascending_, height) - ascending_.begin(); });
+  errors_.accumulate();
 }
 
 double QuantileErrors::with_mean(std::size_t k, double density) const {

@@ -40,11 +40,9 @@ class HeightErrors {
  public:
   using Function = std::function<double(const Moments&)>;
 
-  /// Of a field with this mean and rms height, measured from a form of this degree.
-  HeightErrors(const Grid& grid, double mean, double sq, int degree = 0);
-  void add(const Field& z, int threads = 1);
-  /// Adds no more.
-  void finish(const FieldExtent& extent);
+  /// Of a field of these moments, measured from a form of this degree.
+  HeightErrors(const Field& z, const Grid& grid, const FieldExtent& extent, const Moments& moments,
+               int degree = 0, int threads = 1);
 
   /// Of a function of sa, sq, ssk and sku, and of the mean above a mean.
   double operator()(const Function& parameter) const;
@@ -55,27 +53,21 @@ class HeightErrors {
   double taken() const;
 
  private:
+  void find_power(const Field& x, double points);
   double loss(double factor) const;  // L
 
   double mean_, sq_;
   int degree_;
-  double patches_ = 0;
-  AxisProducts products_ = {};  // P_a P_b, a + b ≤ d + 2
-  Eigen::MatrixXd gram_ = {};   // of these over the points
-  Eigen::VectorXd modes_ = {};  // Σ P_a P_b (z - mean)/Sq
+  double patches_;
   Index taken_ = 0, next_ = 0;  // modes of the form, and beyond it
   double power_ = NAN;          // P
-  LocalSums sums_;
   LocalMeans means_ = {};
 };
 
 /// Standard errors of the shares of a field below some heights, and of these heights.
 class QuantileErrors {
  public:
-  QuantileErrors(const Grid& grid, const FieldExtent& extent, std::vector<double> heights);
-  void add(const Field& z);
-  /// Adds no more.
-  void finish() { errors_.accumulate(); }
+  QuantileErrors(const Field& z, const Grid& grid, const FieldExtent& extent, std::vector<double> heights);
 
   /// Of the share below height k.
   double operator()(std::size_t k) const { return with_mean(k, 0); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -58,21 +59,23 @@ HeightSteps height_steps(const std::vector<HeightRun>& runs) {
   return out;
 }
 
-void NeighbourSteps::add(const Field& z) {
-  auto add_pair = [this](double a, double b) {
+double neighbour_step(const Field& z) {
+  double equal = 0, pairs = 0, least = std::numeric_limits<double>::infinity();
+  auto add_pair = [&](double a, double b) {
     const double difference = std::abs(a - b);
     if (std::isnan(difference)) return;
-    ++pairs_;
+    ++pairs;
     if (difference > 0)
-      least_ = std::min(least_, difference);
+      least = std::min(least, difference);
     else
-      ++equal_;
+      ++equal;
   };
   for (Index i = 0; i < z.rows(); ++i)
     for (Index j = 0; j < z.cols(); ++j) {
       if (i > 0) add_pair(z(i, j), z(i - 1, j));
       if (j > 0) add_pair(z(i, j), z(i, j - 1));
     }
+  return equal > 0.01 * pairs && std::isfinite(least) ? least : 0;
 }
 
 Bins bins_on_steps(const HeightSteps& of, const Bins& wanted) {

@@ -13,8 +13,6 @@
 /// Cost      that of sorting the heights.
 #pragma once
 
-#include <cmath>
-#include <limits>
 #include <vector>
 
 #include "stats/height/distribution.hpp"
@@ -37,15 +35,8 @@ HeightSteps height_steps(const std::vector<HeightRun>& runs);
 inline HeightSteps height_steps(const Field& z) { return height_steps(runs_of_equal(z)); }
 
 /// The step of heights that come in parts, from neighbours: their least difference, where one pair in a
-/// hundred or more is equal. Heights of many bits have none, and a tilt that was taken off hides it.
-class NeighbourSteps {
- public:
-  void add(const Field& z);
-  double step() const { return equal_ > 0.01 * pairs_ && std::isfinite(least_) ? least_ : 0; }
-
- private:
-  double equal_ = 0, pairs_ = 0, least_ = std::numeric_limits<double>::infinity();
-};
+/// hundred or more is equal; else 0. Heights of many bits have none, and a tilt that was taken off hides it.
+double neighbour_step(const Field& z);
 
 struct Bins {
   int number = 1;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/words.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/hybrid/neighbours.hpp"
 
 namespace asperity {
 namespace {
@@ -45,49 +47,69 @@ Derivatives derivatives(const Eigen::VectorXd& m, const Grid& grid) {
   return out;
 }
 
-}  // namespace
+// The local functions of the points that are a row and a column after those of `rows`.
+class LocalDerivatives {
+ public:
+  LocalDerivatives(const Field& z, const Grid& grid)
+      : rows_(z, grid, 2), grid_(grid), found_(find_summits(z, grid)), level_(mean(z)) {}
 
-DerivativeErrors::DerivativeErrors(const Grid& grid) : grid_(grid), sums_(grid, local) {}
-
-void DerivativeErrors::add(const Strip& strip, double level, int threads) {
-  const NeighbourRows rows(strip, 2);
-  const Index n = rows.columns();
-  const std::vector<FoundSummits> found = finder_.add(strip);
-  const double dx = grid_.dx, dy = grid_.dy;
-  sums_.add_rows(rows.rows(), threads, [&](Index i, LocalSums::Values& values) {
-    const Row before = rows(i), here = rows(i + 1), after = rows(i + 2);
+  Index rows() const { return rows_.rows(); }
+  void operator()(Index i, LocalSums::Values& values) const {
+    const Index n = rows_.columns();
+    const Row before = rows_(i), here = rows_(i + 1), after = rows_(i + 2);
     auto left = [n](const Row& row) { return row.head(n); };
     auto middle = [n](const Row& row) { return row.segment(1, n); };
     auto right = [n](const Row& row) { return row.tail(n); };
+    const double dx = grid_.dx, dy = grid_.dy;
     const Row zx = (middle(after) - middle(here)) / dx, zy = (right(here) - middle(here)) / dy,
               zxx = (middle(before) - 2 * middle(here) + middle(after)) / (dx * dx),
               zyy = (left(here) - 2 * middle(here) + right(here)) / (dy * dy),
               zxy = (right(after) - left(after) - right(before) + left(before)) / (4 * dx * dy),
-              z = middle(here) - level, g2 = zx.square() + zy.square();
+              z = middle(here) - level_, g2 = zx.square() + zy.square();
     auto set = [&](Local a, const auto& row) { values.col(a + 1).head(n) = row.matrix().transpose(); };
     set(first, z), set(s00, z.square());
     // A point counts for none of what needs a neighbour that is missing.
     auto set_where = [&](const Row& there, Local a, const Row& row) {
       set(a, Row((there > 0).select(row, 0)));
     };
-    const Row slopes = g2.isNaN().select(Row::Zero(g2.size()), Row::Ones(g2.size()));
+    const Row slopes = g2.isNaN().select(Row::Zero(n), Row::Ones(n));
     set(sloped, slopes);
     set_where(slopes, s20, zx.square()), set_where(slopes, s11, zx * zy), set_where(slopes, s02, zy.square());
     set_where(slopes, excess, g2 / (1 + (1 + g2).sqrt()));
     // Not a number where a neighbour is missing.
     const Row around = left(before) + middle(before) + right(before) + left(here) + right(here) +
                        left(after) + middle(after) + right(after);
-    const Row all = around.isNaN().select(Row::Zero(around.size()), Row::Ones(around.size()));
+    const Row all = around.isNaN().select(Row::Zero(n), Row::Ones(n));
     set(surrounded, all);
     set_where(all, s40, zxx.square()), set_where(all, s31, zxx * zxy), set_where(all, s22, zxx * zyy);
     set_where(all, s13, zxy * zyy), set_where(all, s04, zyy.square());
     for (const Local a : {summit, height, square, curvature}) set(a, Row(Row::Zero(n)));
-    for (const FoundSummit& s : found[size(i)]) {
-      const double h = s.height - level,
-                   c = s.points > 1 ? s.curvature : -0.5 * (zxx(s.column) + zyy(s.column));
-      values.row(s.column).segment(summit + 1, 4) += Eigen::RowVector4d(1, h, h * h, c);
+    for (const FoundSummit& s : found_[size(i)]) {
+      const double h = s.height - level_;
+      values.row(s.column).segment(summit + 1, 4) += Eigen::RowVector4d(1, h, h * h, s.curvature);
     }
-  });
+  }
+
+ private:
+  NeighbourRows rows_;
+  Grid grid_;
+  SummitRows found_;
+  double level_;
+};
+
+LocalSums sums_of(const Field& z, const Grid& grid, int threads) {
+  LocalSums out(grid, local);
+  const LocalDerivatives functions(z, grid);
+  out.add_rows(functions.rows(), threads, functions);
+  return out;
+}
+
+}  // namespace
+
+DerivativeErrors::DerivativeErrors(const Field& z, const Grid& grid, const FieldExtent& extent, int threads)
+    : grid_(grid) {
+  const LocalSums sums = sums_of(z, grid, threads);
+  means_ = sums.means(extent), points_ = sums.count();
 }
 
 double DerivativeErrors::left(const Function& parameter, double taken) const {
@@ -109,11 +131,11 @@ std::string too_few_points(const LocalMeans& means, double points, Index there, 
 }
 
 std::string DerivativeErrors::too_few_slopes() const {
-  return too_few_points(means_, sums_.count(), sloped, "the neighbours of a slope");
+  return too_few_points(means_, points_, sloped, "the neighbours of a slope");
 }
 
 std::string DerivativeErrors::too_few_curvatures() const {
-  return too_few_points(means_, sums_.count(), surrounded, "all eight neighbours");
+  return too_few_points(means_, points_, surrounded, "all eight neighbours");
 }
 
 double DerivativeErrors::operator()(const Function& parameter) const {

@@ -4,7 +4,7 @@
 /// means have the errors of stats/uncertainty/long_waves.hpp, and a parameter is a function of these means.
 ///
 /// Means over the points that have the neighbours they need are ratios of two means over the measured ones.
-/// A function of n such points holds n - 1 orthonormal waves besides its mean, which have its whole variance:
+/// A function of n such points holds n - 1 orthonormal waves and its mean, which have its whole variance:
 /// of n > 10 K of them the K longest are a tenth or less. Of fewer points there is no error; of one it would
 /// be that of the step of a difference.
 ///
@@ -37,11 +37,7 @@ class DerivativeErrors {
  public:
   using Function = std::function<double(const Derivatives&)>;
 
-  explicit DerivativeErrors(const Grid& grid);
-  /// `level` is the mean of the field.
-  void add(const Strip& strip, double level, int threads = 1);
-  /// Adds no more.
-  void finish(const FieldExtent& extent) { means_ = sums_.means(extent); }
+  DerivativeErrors(const Field& z, const Grid& grid, const FieldExtent& extent, int threads = 1);
 
   double operator()(const Function& parameter) const;
   /// Why what rests on slopes, or on curvatures and summits, has no error; "" where it has one.
@@ -53,9 +49,8 @@ class DerivativeErrors {
 
  private:
   Grid grid_;
-  SummitFinder finder_ = {};
-  LocalSums sums_;
   LocalMeans means_ = {};
+  double points_ = 0;
 };
 
 }  // namespace asperity

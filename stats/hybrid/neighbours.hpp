@@ -1,13 +1,12 @@
-/// Means over neighbouring points of a field, row by row.
+/// Sums over neighbouring points of a field, row by row.
 ///
 /// On a periodic grid every point has all neighbours; otherwise only points that have them are visited. Sums
-/// of rows are added up in order, so that results do not depend on the number of threads. A side,
-/// cell or stencil with a missing height is NaN and left out of the sum and of the divisor.
+/// of rows are added up in order, so that results do not depend on the number of threads. A side, cell or
+/// stencil with a missing height is NaN and left out of the sum and of the divisor.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "core/field.hpp"
@@ -18,30 +17,15 @@ namespace asperity {
 
 using Row = Eigen::Array<double, 1, Eigen::Dynamic>;
 
-/// A field and its grid. On a periodic one the first rows follow the last one.
-struct Strip {
-  const Field& z;
-  Grid grid;
-
-  static Strip whole(const Field& z, const Grid& grid) { return {z, grid}; }
-  /// Points of the field's shorter side; unlimited if it is periodic.
-  Index shortest_side() const {
-    return grid.periodic.both() ? std::numeric_limits<Index>::max() : std::min(grid.shape.nx, grid.shape.ny);
-  }
-};
-
-/// Rows of a field, with `margin` more points at the end if it is periodic.
+/// Rows of a field, with `margin` more points at the end if it is periodic; the first rows follow the last.
 class NeighbourRows {
  public:
-  NeighbourRows(const Strip& strip, Index margin)
-      : z_(strip.z),
-        rows_(z_.rows() - (strip.grid.periodic.both() ? 0 : margin)),
-        columns_(z_.cols() - (strip.grid.periodic.both() ? 0 : margin)),
-        margin_(strip.grid.periodic.both() ? margin : 0) {}
+  NeighbourRows(const Field& z, const Grid& grid, Index margin)
+      : z_(z), missing_(grid.periodic.both() ? 0 : margin), margin_(margin - missing_) {}
 
   /// The number of rows followed by `margin` more, and of points in a row.
-  Index rows() const { return std::max<Index>(0, rows_); }
-  Index columns() const { return std::max<Index>(0, columns_); }
+  Index rows() const { return std::max<Index>(0, z_.rows() - missing_); }
+  Index columns() const { return std::max<Index>(0, z_.cols() - missing_); }
   /// Row i, 0 ≤ i < rows() + margin, of columns() + margin points.
   Row operator()(Index i) const {
     Row out(z_.cols() + margin_);
@@ -52,7 +36,7 @@ class NeighbourRows {
 
  private:
   const Field& z_;
-  Index rows_, columns_, margin_;
+  Index missing_, margin_;  // points without all neighbours, or points to add
 };
 
 /// Sums and numbers of the entries that are not NaN.
@@ -61,18 +45,20 @@ using RowSums = std::array<ValidSum, K>;
 
 inline double mean_of(const ValidSum& sum) { return sum.sum / sum.count; }
 
-/// Adds Σ_i sum(i) over `rows` rows to the total; sum(i) is K sums along row i.
+/// Σ_i sum(i) over `rows` rows; sum(i) is K sums along row i.
 template <std::size_t K, class Sum>
-void add_rows(RowSums<K>& total, Index rows, int threads, Sum sum) {
-  std::vector<RowSums<K>> of_rows(static_cast<std::size_t>(rows));
+RowSums<K> sum_rows(Index rows, int threads, Sum sum) {
+  std::vector<RowSums<K>> of_rows(size(rows));
   parallel_ranges(rows, threads, [&](Index begin, Index end, int) {
-    for (Index i = begin; i < end; ++i) of_rows[static_cast<std::size_t>(i)] = sum(i);
+    for (Index i = begin; i < end; ++i) of_rows[size(i)] = sum(i);
   });
+  RowSums<K> total{};
   for (const RowSums<K>& row : of_rows)
     for (std::size_t k = 0; k < K; ++k) {
       total[k].sum += row[k].sum;
       total[k].count += row[k].count;
     }
+  return total;
 }
 
 }  // namespace asperity

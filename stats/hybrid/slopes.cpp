@@ -1,13 +1,21 @@
 #include "stats/hybrid/slopes.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <numbers>
+#include <utility>
 
+#include "core/calibration.hpp"
 #include "core/error.hpp"
-#include "stats/hybrid/seam.hpp"
+#include "core/halved.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/hybrid/neighbours.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {
 namespace {
+
+// ---- Sdq and Sdr ----
 
 // Σ [√(1 + g²) - 1].
 template <class SquaredSlopes>
@@ -28,6 +36,31 @@ ValidSum excess_of_triangles(const Row& upper, const Row& lower, const Grid& gri
                  fourth = excess(a_middle + b_lower.square());
   return {0.25 * (first.sum + second.sum + third.sum + fourth.sum), first.count};
 }
+
+}  // namespace
+
+SlopeParameters slope_parameters(const Field& z, const Grid& grid, int threads) {
+  const NeighbourRows rows(z, grid, 1);
+  const Index sides_y = rows.columns(), ny = z.cols();
+  const RowSums<3> sums = sum_rows<3>(z.rows(), threads, [&](Index i) {
+    const Row row = rows(i);
+    RowSums<3> of_row{};
+    of_row[1] = sum_of_valid((row.segment(1, sides_y) - row.head(sides_y)).square());
+    if (i < rows.rows()) {
+      const Row next = rows(i + 1);
+      of_row[0] = sum_of_valid((next - row).head(ny).square());
+      of_row[2] = excess_of_triangles(row, next, grid);
+    }
+    return of_row;
+  });
+  if (!(sums[2].count > 0)) throw DataError("heights", "slopes need 2 x 2 points, none of them missing");
+  return {.sdq = std::sqrt(mean_of(sums[0]) / (grid.dx * grid.dx) + mean_of(sums[1]) / (grid.dy * grid.dy)),
+          .sdr = mean_of(sums[2])};
+}
+
+// ---- the slope of the surface between the points ----
+
+namespace {
 
 // Along the rows.
 struct MeanSquare {
@@ -77,27 +110,79 @@ RmsSlope rms_slope(const Field& z, const Grid& grid) {
   return {value, value > 0 ? (x.error + y.error) / (2 * value) : 0};
 }
 
-void SlopeSums::add(const Strip& strip, int threads) {
-  if (strip.shortest_side() < 2) return;
-  const NeighbourRows rows(strip, 1);
-  const Index sides_y = rows.columns(), ny = strip.z.cols();
-  add_rows(sums_, strip.z.rows(), threads, [&](Index i) {
-    const Row row = rows(i);
-    RowSums<3> of_row{};
-    of_row[1] = sum_of_valid((row.segment(1, sides_y) - row.head(sides_y)).square());
-    if (i < rows.rows()) {
-      const Row next = rows(i + 1);
-      of_row[0] = sum_of_valid((next - row).head(ny).square());
-      of_row[2] = excess_of_triangles(row, next, strip.grid);
-    }
-    return of_row;
-  });
+// ---- the seam ----
+
+namespace {
+
+constexpr Index least_lines = 16;
+constexpr double no_step = 1e-12;  // of the largest height: round-off
+
+template <class Line>
+Seam seam(Index lines, double largest_height, Line line) {
+  if (lines < least_lines) return {};
+  auto step = [&](Index from, Index to) { return std::sqrt((line(to) - line(from)).square().mean()); };
+  Seam out{step(lines - 1, 0)};
+  if (out.step <= no_step * largest_height) return {};
+  for (Index i = 0; i + 1 < lines; ++i) out.largest = std::max(out.largest, step(i, i + 1));
+  return out;
 }
 
-SlopeParameters SlopeSums::parameters(const Grid& grid) const {
-  if (!(sums_[2].count > 0)) throw DataError("heights", "slopes need 2 x 2 points, none of them missing");
-  return {.sdq = std::sqrt(mean_of(sums_[0]) / (grid.dx * grid.dx) + mean_of(sums_[1]) / (grid.dy * grid.dy)),
-          .sdr = mean_of(sums_[2])};
+}  // namespace
+
+std::array<Seam, 2> seams(const Field& heights, Periodic periodic) {
+  const double largest = periodic.any() ? heights.abs().maxCoeff() : 0;
+  std::array<Seam, 2> out;
+  if (periodic.x) out[0] = seam(heights.rows(), largest, [&](Index i) { return heights.row(i); });
+  if (periodic.y) out[1] = seam(heights.cols(), largest, [&](Index j) { return heights.col(j); });
+  return out;
+}
+
+// ---- its growth ----
+
+namespace {
+
+constexpr Index least_side = 16;
+constexpr double least_growth = 1e-12;  // of a mean square slope, by which it may fall
+constexpr double left_of_form = 1e-20;  // of a mean square slope, by its round-off
+
+double mean_square_slope(const Field& z, const Grid& grid) {
+  const Index nx = z.rows(), ny = z.cols();
+  double x = (z.bottomRows(nx - 1) - z.topRows(nx - 1)).square().sum();
+  double y = (z.rightCols(ny - 1) - z.leftCols(ny - 1)).square().sum();
+  const bool around = grid.periodic.both();
+  if (around) {
+    x += (z.row(0) - z.row(nx - 1)).square().sum();
+    y += (z.col(0) - z.col(ny - 1)).square().sum();
+  }
+  const Index sides = around ? 0 : 1;
+  return x / (grid.dx * grid.dx * static_cast<double>((nx - sides) * ny)) +
+         y / (grid.dy * grid.dy * static_cast<double>(nx * (ny - sides)));
+}
+
+}  // namespace
+
+Resolved SlopeGrowth::resolved() const {
+  using namespace calibration::grid_error;
+  return gamma >= calibration::grid_error::resolved ? Resolved::no
+         : gamma >= doubtful                        ? Resolved::doubtful
+                                                    : Resolved::yes;
+}
+
+SlopeGrowth slope_growth(Field z, const Grid& grid, int threads) {
+  if (std::min(grid.shape.nx, grid.shape.ny) < least_side) return {std::numeric_limits<double>::quiet_NaN()};
+  const double with_form = mean_square_slope(z, grid);
+  if (!grid.periodic.both()) z = remove_form(std::move(z), 2);
+  std::array<double, 3> slopes{};
+  Grid cells = grid;
+  for (double& slope : slopes) {
+    slope = mean_square_slope(z, cells);
+    cells.periodic = cells.periodic.both() && cells.shape.nx % 2 == 0 && cells.shape.ny % 2 == 0;
+    z = halved(z, threads);
+    cells = halved(cells);
+  }
+  const double first = slopes[0] - slopes[1], second = slopes[1] - slopes[2];
+  if (!(first > least_growth * slopes[0] && slopes[0] > left_of_form * with_form)) return {0};
+  return {second > 0 ? first / second : std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace asperity

@@ -1,6 +1,8 @@
 #include "stats/hybrid/spectral_moments.hpp"
 
 #include "core/error.hpp"
+#include "stats/filter/form.hpp"
+#include "stats/hybrid/neighbours.hpp"
 
 namespace asperity {
 namespace {
@@ -12,7 +14,7 @@ using Sums = RowSums<9>;
 struct Stencil {
   const Row &before, &here, &after;
 
-  Index points() const { return here.size() - 2; }
+  Index points() const { return std::max<Index>(0, here.size() - 2); }
   auto middle(const Row& row) const { return row.segment(1, points()); }
   auto left(const Row& row) const { return row.head(points()); }
   auto right(const Row& row) const { return row.tail(points()); }
@@ -72,11 +74,11 @@ SpectralMoments SpectralMoments::without_round_off(const Grid& grid, double diff
   return out;
 }
 
-void SpectralMomentSums::add(const Strip& strip, double level, int threads) {
-  if (strip.shortest_side() < 3) return;
-  const NeighbourRows sides(strip, 1), curves(strip, 2);
-  const Index ny = strip.z.cols();
-  add_rows(sums_, strip.z.rows(), threads, [&](Index i) {
+SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads) {
+  const NeighbourRows sides(z, grid, 1), curves(z, grid, 2);
+  const Index ny = z.cols();
+  const double level = mean(z);
+  const Sums sums = sum_rows<9>(z.rows(), threads, [&](Index i) {
     const Row here = curves(i);
     Sums out{};
     out[s00] = sum_of_valid((here.head(ny) - level).square());
@@ -91,21 +93,18 @@ void SpectralMomentSums::add(const Strip& strip, double level, int threads) {
     add_mixed_derivatives(out, {here, after, second});
     return out;
   });
-}
-
-SpectralMoments SpectralMomentSums::moments(const Grid& grid) const {
-  if (!(sums_[s31].count > 0))
+  if (!(sums[s31].count > 0))
     throw DataError("heights", "second derivatives need 3 x 3 points, none of them missing");
   const double x = 1 / grid.dx, y = 1 / grid.dy;
-  return {.m00 = mean_of(sums_[s00]),
-          .m20 = x * x * mean_of(sums_[s20]),
-          .m11 = x * y * mean_of(sums_[s11]),
-          .m02 = y * y * mean_of(sums_[s02]),
-          .m40 = x * x * x * x * mean_of(sums_[s40]),
-          .m31 = x * x * x * y * mean_of(sums_[s31]),
-          .m22 = x * x * y * y * mean_of(sums_[s22]),
-          .m13 = x * y * y * y * mean_of(sums_[s13]),
-          .m04 = y * y * y * y * mean_of(sums_[s04])};
+  return {.m00 = mean_of(sums[s00]),
+          .m20 = x * x * mean_of(sums[s20]),
+          .m11 = x * y * mean_of(sums[s11]),
+          .m02 = y * y * mean_of(sums[s02]),
+          .m40 = x * x * x * x * mean_of(sums[s40]),
+          .m31 = x * x * x * y * mean_of(sums[s31]),
+          .m22 = x * x * y * y * mean_of(sums[s22]),
+          .m13 = x * y * y * y * mean_of(sums[s13]),
+          .m04 = y * y * y * y * mean_of(sums[s04])};
 }
 
 }  // namespace asperity

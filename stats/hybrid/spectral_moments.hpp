@@ -27,7 +27,7 @@
 
 #include <cmath>
 
-#include "stats/hybrid/neighbours.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 
@@ -55,16 +55,7 @@ struct SpectralMoments {
   SpectralMoments without_round_off(const Grid& grid, double difference) const;
 };
 
-/// The sums of a field.
-class SpectralMomentSums {
- public:
-  /// `level` is the mean of the field.
-  void add(const Strip& strip, double level, int threads = 1);
-  /// Throws DataError("heights", …) without 3 × 3 measured points.
-  SpectralMoments moments(const Grid& grid) const;
-
- private:
-  RowSums<9> sums_{};
-};
+/// Throws DataError("heights", …) without 3 × 3 measured points.
+SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads = 1);
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <type_traits>
 
 #include "core/error.hpp"
 #include "core/words.hpp"
@@ -29,12 +30,12 @@ struct Had {
   std::string why_or(const char* words) const { return why.empty() ? words : why; }
 };
 
-template <class Value>
-Had<Value> had(const Sample& sample, Value (Sample::*compute)() const) try {
+template <class Compute, class Value = std::decay_t<std::invoke_result_t<Compute, const Sample&>>>
+Had<Value> had(const Sample& sample, Compute compute) try {
   const Surface& surface = sample.surface();
   if (surface.units != "m")
     throw DataError(surface.variable, "slopes and areas need heights in m, not in " + surface.units);
-  return {(sample.*compute)()};
+  return {std::invoke(compute, sample)};
 } catch (const DataError& error) {
   return {.why = error.what()};
 }

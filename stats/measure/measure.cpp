@@ -20,8 +20,7 @@ std::string filled_in(std::string_view text, const std::string& word) {
 }  // namespace
 
 Parameters measure(const Surface& surface, const MeasureOptions& options) {
-  const Sample sample(prepared(surface, options.preparation, options.threads),
-                      options.groups.contains(Group::hybrid), options.threads);
+  const Sample sample(prepared(surface, options.preparation, options.threads), options.threads);
   Parameters out;
   for (const Group group : options.groups)
     std::ranges::copy(measure(sample, group, options), std::back_inserter(out));
@@ -35,7 +34,7 @@ Parameters measure(const Sample& sample, Group group, const MeasureOptions& opti
   return groups.at(static_cast<std::size_t>(group))(sample, options);
 }
 
-Sample stand_in(Surface flat, double rms, bool derivatives) {
+Sample stand_in(Surface flat, double rms) {
   std::vector<double> row(static_cast<std::size_t>(flat.grid.shape.ny));
   WhiteNoise noise(1);
   for (Index i = 0; i < flat.grid.shape.nx; ++i) {
@@ -44,13 +43,12 @@ Sample stand_in(Surface flat, double rms, bool derivatives) {
   }
   flat.correlation.reset(), flat.distribution.reset();
   const ErrorBasis basis{LagField(Field::Ones(1, 1)), false, Pairs::of(flat.heights, flat.grid)};
-  return {std::move(flat), basis, basis.size(), derivatives};
+  return {std::move(flat), basis, basis.size()};
 }
 
 Parameters measure_flat(const Surface& flat, Group group, const MeasureOptions& options) {
-  const bool derivatives = group == Group::hybrid;
-  Parameters out = measure(stand_in(flat, 1, derivatives), group, options);
-  const Parameters twice = measure(stand_in(flat, 2, derivatives), group, options);
+  Parameters out = measure(stand_in(flat, 1), group, options);
+  const Parameters twice = measure(stand_in(flat, 2), group, options);
   for (std::size_t i = 0; i < out.size(); ++i) {
     Parameter& p = out[i];
     p.standard_error = unknown, p.interval.reset(), p.is_bound = false;

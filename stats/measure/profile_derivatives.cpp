@@ -37,26 +37,14 @@ struct Line {
   Index at(Index i) const { return periodic ? (i + n) % n : i < n ? i : -1; }
 };
 
-// Peaks are points or runs of equal points above both neighbours. A run of n points has the curvature of the
-// parabola that is as wide at half the mean drop beside it; n = 1 that of the differences.
 void add_peaks(Values& out, const Eigen::ArrayXd& z, const Line& line, double step) {
-  Index begin = 0;
-  z.minCoeff<Eigen::PropagateNumbers>(&begin);
-  if (!line.periodic) begin = 0;
-  for (Index i = begin, end = begin + z.size(); i < end;) {
-    const Index before = line.at(i - 1);
-    Index after = i + 1;
-    const double h = z(line.at(i));
-    while (after < end && line.at(after) >= 0 && z(line.at(after)) == h) ++after;
-    const double points = static_cast<double>(after - i);
-    if (before >= 0 && line.at(after) >= 0 && h > z(before) && h > z(line.at(after))) {
-      const Index at = line.at(i);
-      const double drops = 2 * h - z(before) - z(line.at(after));
-      out(at, peak) = 1, out(at, run) = points > 1, out(at, height) = h, out(at, square) = h * h;
-      out(at, curvature) = drops / (step * step) / (1 + (points * points - 1) / 2);
+  const SummitRows found = find_peaks(z, step, line.periodic);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for (const FoundSummit& p : found[k]) {
+      const Index at = line.at(static_cast<Index>(k) + 1);
+      out(at, peak) = 1, out(at, run) = p.points > 1;
+      out(at, height) = p.height, out(at, square) = p.height * p.height, out(at, curvature) = p.curvature;
     }
-    i = after;
-  }
 }
 
 // NaN where a height is missing.

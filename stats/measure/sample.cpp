@@ -10,31 +10,18 @@
 #include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {
-namespace {
 
-SurfaceSums sums_of(const Surface& surface, ErrorBasis basis, bool derivatives, int threads) {
-  DerivativeSums sums;
-  if (derivatives) {
-    const Strip whole = Strip::whole(surface.heights, surface.grid);
-    const double level = mean(surface.heights);
-    sums.slopes.add(whole, threads);
-    sums.spectral.add(whole, level, threads);
-    sums.summits.add(whole, level, threads);
-  }
-  return {moments(surface.heights, surface.variable), sums, std::move(basis)};
-}
-
-}  // namespace
-
-Sample::Sample(Surface surface, bool derivatives, int threads)
+Sample::Sample(Surface surface, int threads)
     : surface_(std::move(surface)),
-      sums_(sums_of(surface_, error_basis(surface_, threads), derivatives, threads)),
-      size_(basis().size()),
+      moments_(asperity::moments(surface_.heights, surface_.variable)),
+      basis_(error_basis(surface_, threads)),
+      size_(basis_.size()),
       threads_(threads) {}
 
-Sample::Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size, bool derivatives)
+Sample::Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size)
     : surface_(std::move(surface)),
-      sums_(sums_of(surface_, std::move(basis), derivatives, 1)),
+      moments_(asperity::moments(surface_.heights, surface_.variable)),
+      basis_(std::move(basis)),
       size_(size),
       threads_(1),
       errors_(false) {}
@@ -43,17 +30,21 @@ double Sample::round_off() const {
   return round_off_of(std::max({surface_.largest, moments().sp, moments().sv}));
 }
 
-SpectralMoments Sample::spectral_moments() const {
-  return sums_.derivatives.spectral.moments(grid()).without_round_off(grid(), round_off());
+const SpectralMoments& Sample::spectral_moments() const {
+  if (!spectral_)
+    spectral_ =
+        asperity::spectral_moments(surface_.heights, grid(), threads_).without_round_off(grid(), round_off());
+  return *spectral_;
 }
 
-CountedSummits Sample::summits() const {
-  const CountedSummits counted = sums_.derivatives.summits.summits(grid());
-  const SpectralMoments m = spectral_moments();
-  if (m.m20 > 0 && m.m02 > 0) return counted;
-  CountedSummits none;
-  none.density = 0;
-  return none;
+const CountedSummits& Sample::summits() const {
+  if (summits_) return *summits_;
+  summits_ = counted_summits(surface_.heights, grid(), 0, threads_);
+  if (const SpectralMoments& m = spectral_moments(); !(m.m20 > 0 && m.m02 > 0)) {
+    summits_.emplace();
+    summits_->density = 0;
+  }
+  return *summits_;
 }
 
 std::optional<Translation> Sample::distribution() const {
@@ -67,11 +58,8 @@ const FieldExtent& Sample::extent() const {
 }
 
 const std::optional<HeightErrors>& Sample::height_errors() const {
-  if (errors_ && !height_errors_) {
-    height_errors_.emplace(grid(), moments().mean, moments().sq, surface_.degree);
-    height_errors_->add(surface_.heights, threads_);
-    height_errors_->finish(extent());
-  }
+  if (errors_ && !height_errors_)
+    height_errors_.emplace(surface_.heights, grid(), extent(), moments(), surface_.degree, threads_);
   return height_errors_;
 }
 
@@ -85,18 +73,12 @@ double Sample::error_of_taken() const {
 
 std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>& heights) const {
   if (!errors_) return std::nullopt;
-  QuantileErrors out(grid(), extent(), heights);
-  out.add(surface_.heights);
-  out.finish();
-  return out;
+  return QuantileErrors(surface_.heights, grid(), extent(), heights);
 }
 
 std::optional<DerivativeErrors> Sample::derivative_errors() const {
   if (!errors_) return std::nullopt;
-  DerivativeErrors out(grid());
-  out.add(Strip::whole(surface_.heights, grid()), moments().mean, threads_);
-  out.finish(extent());
-  return out;
+  return DerivativeErrors(surface_.heights, grid(), extent(), threads_);
 }
 
 std::optional<SizeErrors> Sample::size_errors() const {

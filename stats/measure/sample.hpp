@@ -1,4 +1,5 @@
-/// A surface to be measured, with the sums that the parameters need.
+/// A surface to be measured, with what several parameters need. Derivatives and errors are computed when
+/// they are asked for.
 #pragma once
 
 #include <array>
@@ -18,38 +19,26 @@
 
 namespace asperity {
 
-struct DerivativeSums {
-  SlopeSums slopes = {};
-  SpectralMomentSums spectral = {};
-  SummitSums summits = {};
-};
-
-/// The sums of one pass over a surface; derivatives only if requested.
-struct SurfaceSums {
-  Moments moments;
-  DerivativeSums derivatives;
-  ErrorBasis basis;
-};
-
 class Sample {
  public:
-  /// Of a prepared surface; `derivatives` are slopes, spectral moments and summits.
-  explicit Sample(Surface surface, bool derivatives = true, int threads = 1);
+  /// Of a prepared surface.
+  explicit Sample(Surface surface, int threads = 1);
   /// Of a prepared surface of this basis and size, whose parameters need no errors.
-  Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size, bool derivatives = true);
+  Sample(Surface surface, ErrorBasis basis, const EffectiveSampleSize& size);
 
   const Surface& surface() const { return surface_; }
   const Grid& grid() const { return surface_.grid; }
   int threads() const { return threads_; }
-  const Moments& moments() const { return sums_.moments; }
-  const ErrorBasis& basis() const { return sums_.basis; }
+  const Moments& moments() const { return moments_; }
+  const ErrorBasis& basis() const { return basis_; }
   const EffectiveSampleSize& size() const { return size_; }
 
-  SlopeParameters slopes() const { return sums_.derivatives.slopes.parameters(grid()); }
+  /// Derivatives, here and below, are of a surface: fields of a row or a column have none.
+  SlopeParameters slopes() const { return slope_parameters(surface_.heights, grid(), threads_); }
   /// Zero where derivatives are the round-off of the heights, as those along grooves.
-  SpectralMoments spectral_moments() const;
-  /// None of a surface without slopes in x or in y: beside it all is round-off.
-  CountedSummits summits() const;
+  const SpectralMoments& spectral_moments() const;
+  /// None of a surface without slopes in x or in y: along that axis all is round-off.
+  const CountedSummits& summits() const;
   /// The distribution that the field was drawn with or evidently has; none if that is a Gaussian's.
   std::optional<Translation> distribution() const;
   /// Whether the errors of moments follow from the correlation: where it is known, and Σ ρ > 0.
@@ -80,10 +69,13 @@ class Sample {
   bool taken_from_waves() const { return errors_ && !correlation_gives_errors(); }
 
   Surface surface_;
-  SurfaceSums sums_;
+  Moments moments_;
+  ErrorBasis basis_;
   EffectiveSampleSize size_;
   int threads_;
   bool errors_ = true;
+  mutable std::optional<SpectralMoments> spectral_ = {};
+  mutable std::optional<CountedSummits> summits_ = {};
   mutable std::optional<FieldExtent> extent_ = {};
   mutable std::optional<HeightErrors> height_errors_ = {};
 };

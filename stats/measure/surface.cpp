@@ -47,10 +47,7 @@ Surface prepared(Surface surface, const Preparation& preparation, int threads) {
   surface.level = mean(surface.heights);
   const double size = surface.largest = largest_of(surface);
   const auto& [form, shorter, longer] = preparation;
-  if (NeighbourSteps steps; !shorter.given()) {
-    steps.add(surface.heights);
-    surface.step = steps.step();
-  }
+  if (!shorter.given()) surface.step = neighbour_step(surface.heights);
   surface.heights = without_form(std::move(surface.heights), surface.grid, form, threads).heights;
   surface.degree = std::max(surface.degree, form.modes());
   if (shorter.given()) surface.heights = waves_beyond(surface, "lambda-s", shorter, threads);

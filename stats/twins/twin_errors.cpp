@@ -102,8 +102,7 @@ class TwinMeasures {
   std::map<Group, Parameters> of(Index k) const try {
     Surface twin{.grid = sample_.grid(), .heights = scale_ * fields_.heights(k)};
     twin.variable = sample_.surface().variable, twin.units = sample_.surface().units;
-    const Sample of(prepared(std::move(twin), repeated(asked_.preparation, sample_)), basis_, size_,
-                    asked_.groups.contains(Group::hybrid));
+    const Sample of(prepared(std::move(twin), repeated(asked_.preparation, sample_)), basis_, size_);
     std::map<Group, Parameters> out;
     for (const Group group : asked_.groups) out[group] = measure(of, group, asked_);
     return out;

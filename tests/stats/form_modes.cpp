@@ -132,7 +132,7 @@ TEST_CASE("with what the form took put back, Sq is that of the surface without i
     for (unsigned seed = 0; seed < 100; ++seed) {
       const Surface surface = prepared({.grid = g, .heights = moving_average(g.shape, {5, 4}, seed)},
                                        {.form = {.degree = degree}});
-      const Sample sample(surface, false);
+      const Sample sample(surface);
       const double square = std::pow(sample.moments().sq, 2);
       by_correlation.add(square / (1 - sample.size().taken_by_form()));
       by_modes.add(square / (1 - sample.height_errors()->taken()));
@@ -156,7 +156,7 @@ TEST_CASE("above a form the error of the mean is that of the mean of the surface
     for (unsigned seed = 0; seed < 100; ++seed) {
       const Surface surface = prepared({.grid = g, .heights = points * moving_average(g.shape, {5, 4}, seed)},
                                        {.form = {.degree = 2}});
-      stated.add(std::pow(Sample(surface, false).height_errors()->of_mean(), 2));
+      stated.add(std::pow(Sample(surface).height_errors()->of_mean(), 2));
     }
     // Four errors of the mean over the fields, and 3 % that 1/(1 - L)² may be off at N_eff = 880.
     CAPTURE(whole);
@@ -172,7 +172,7 @@ TEST_CASE("intervals of the median of skewed heights hold it above a form", "[fo
   for (unsigned seed = 0; seed < 100; ++seed) {
     const Surface surface = prepared(
         {.grid = g, .heights = moving_average(g.shape, {5, 5}, 500 + seed).exp()}, {.form = {.degree = 4}});
-    const Sample sample(surface, false);
+    const Sample sample(surface);
     const double median = sample.quantiles({0.5})[0], truth = 1 - std::exp(0.5);
     const Interval ends = *quantile_estimates(sample, {0.5}, {median})[0].interval;
     held += ends.low <= truth && truth <= ends.high;

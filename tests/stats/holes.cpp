@@ -67,7 +67,7 @@ TEST_CASE("points that holes hide have no error, and others keep theirs", "[hole
       if (std::hypot(static_cast<double>(i) - 47.5, static_cast<double>(j) - 47.5) > 46) disc(i, j) = none;
   auto hidden = [&](const Field& z, std::size_t from) {
     const auto rings =
-        radial_spectrum(Sample(prepared({.grid = g, .heights = 1e-6 * z}, {}), false), default_windows(g));
+        radial_spectrum(Sample(prepared({.grid = g, .heights = 1e-6 * z}, {})), default_windows(g));
     Index out = 0;
     for (std::size_t k = from; k < rings.size(); ++k)
       out += rings[k].no_error != NoError::none && std::isnan(rings[k].standard_error);

@@ -9,7 +9,6 @@
 #include "stats/hybrid/derivative_error.hpp"
 #include "stats/measure.hpp"
 #include "stats/sample/moments.hpp"
-#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -164,18 +163,16 @@ TEST_CASE("errors by long waves are the spread over an ensemble, whatever the he
       Field z = 0.1 * moving_average(shape, window, seed);
       if (skewed) z = (5 * z).exp();
       const Moments m = moments(z);
-      HeightErrors of_heights(g, m.mean, m.sq);
-      of_heights.add(z), of_heights.finish({300, 80.0 / 64 * 4 / 3});
+      const FieldExtent extent{300, 80.0 / 64 * 4 / 3};
+      const HeightErrors of_heights(z, g, extent, m);
       mean.add(m.mean, of_heights([](const Moments& of) { return of.mean; }));
       sa.add(m.sa, of_heights([](const Moments& of) { return of.sa; }));
       sq.add(m.sq, of_heights([](const Moments& of) { return of.sq; }));
       if (!skewed) ssk.add(m.ssk, of_heights([](const Moments& of) { return of.ssk; }));
-      QuantileErrors of_shares(g, {300, 80.0 / 64 * 4 / 3}, {skewed ? 1.2 : 0.05});
-      of_shares.add(z), of_shares.finish();
+      const QuantileErrors of_shares(z, g, extent, {skewed ? 1.2 : 0.05});
       share.add(static_cast<double>((z <= (skewed ? 1.2 : 0.05)).count()) / static_cast<double>(z.size()),
                 of_shares(0));
-      DerivativeErrors of(g);
-      of.add(Strip::whole(z, g), m.mean), of.finish({300, 80.0 / 64 * 4 / 3});
+      const DerivativeErrors of(z, g, extent);
       const Derivatives d{slope_parameters(z, g), spectral_moments(z, g), counted_summits(z, g)};
       auto add = [&](Judged& to, const DerivativeErrors::Function& f) { to.add(f(d), of(f)); };
       add(sdq, [](const Derivatives& x) { return x.slopes.sdq; });
@@ -204,8 +201,7 @@ TEST_CASE("errors of slopes are those of the points that have slopes, whatever c
   Spread value, square;
   for (unsigned seed = 0; seed < 200; ++seed) {
     const Field z = with_holes(moving_average(g.shape, {4, 3}, seed), 0.33, 1000 + seed);
-    DerivativeErrors errors(g);
-    errors.add(Strip::whole(z, g), mean(z)), errors.finish({300, 1});
+    const DerivativeErrors errors(z, g, {300, 1});
     auto sdq = [](const Derivatives& d) { return d.slopes.sdq; };
     value.add(slope_parameters(z, g).sdq), square.add(std::pow(errors(sdq), 2));
   }
@@ -217,8 +213,7 @@ TEST_CASE("grooves have errors of slopes across them and none along them", "[der
   for (const bool periodic : {false, true}) {
     const Field z = moving_average({40, 1}, {3, 1}, 4).replicate(1, 30) + 1e-3;
     const Grid g = grid(40, 30, periodic);
-    DerivativeErrors e(g);
-    e.add(Strip::whole(z, g), mean(z)), e.finish({100});
+    const DerivativeErrors e(z, g, {100});
     CHECK(e([](const Derivatives& d) { return d.moments.m20; }) > 0);
     CHECK(e([](const Derivatives& d) { return d.moments.m40; }) > 0);
     CHECK(e([](const Derivatives& d) { return d.moments.m02; }) == 0);

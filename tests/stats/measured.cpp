@@ -9,7 +9,6 @@
 #include "stats/measure.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
-#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

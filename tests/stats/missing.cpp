@@ -10,8 +10,10 @@
 #include "stats/filter/gaussian_filter.hpp"
 #include "stats/height/distribution.hpp"
 #include "stats/height/material_ratio.hpp"
+#include "stats/hybrid/slopes.hpp"
+#include "stats/hybrid/spectral_moments.hpp"
+#include "stats/hybrid/summits.hpp"
 #include "stats/sample/moments.hpp"
-#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

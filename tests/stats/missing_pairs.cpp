@@ -3,6 +3,9 @@
 #include "holes.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/missing.hpp"
+#include "stats/hybrid/slopes.hpp"
+#include "stats/hybrid/spectral_moments.hpp"
+#include "stats/hybrid/summits.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
@@ -10,7 +13,6 @@
 #include "stats/spectrum/spectrum.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
-#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

@@ -6,7 +6,6 @@
 #include "stats/measure.hpp"
 #include "stats/measure/groups.hpp"
 #include "stats/sample/quantiles.hpp"
-#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -113,7 +112,7 @@ TEST_CASE("profiles that are straight to round-off have no heights", "[profile][
   Field z = white_noise({1, 60}, 3).replicate(40, 1);
   for (const int degree : {0, 2}) {
     const Surface surface = prepared({.grid = grid(40, 60), .heights = 1e-7 * z}, {.form = {.degree = degree}});
-    const Sample sample(surface, false);
+    const Sample sample(surface);
     for (const Parameter& p : profile_averages(sample, {.profiles = Axis1D::x})) {
       CAPTURE(degree, p.name, p.value);
       if (p.name.starts_with("profiles")) continue;

@@ -150,12 +150,12 @@ TEST_CASE("errors of spectra hold what local amplitudes add, unless heights were
     Field z = (0.4 * moving_average(g.shape, {12, 12}, 11 + seed)).exp();
     z -= z.mean();
     Surface surface{g, z};
-    const auto estimated = radial_spectrum(Sample(surface, false), default_windows(g));
+    const auto estimated = radial_spectrum(Sample(surface), default_windows(g));
     surface.correlation = LagField::of({12, 12}, [](Index p, Index q) {
       return std::max(0.0, 1 - static_cast<double>(p) / 12) *
              std::max(0.0, 1 - std::abs(static_cast<double>(q)) / 12);
     });
-    const Sample known(surface, false);
+    const Sample known(surface);
     if (known.distribution()) continue;
     const auto gaussian = radial_spectrum(known, default_windows(g));
     for (std::size_t k = 8; k < gaussian.size(); ++k) {
@@ -183,7 +183,7 @@ TEST_CASE("where a spectrum is steep, densities have an interval that holds the 
     const Field wide = gaussian_acf_field({2 * n, 2 * n}, l, 500 + seed);
     Field z = wide.topLeftCorner(n, n);
     z -= z.mean();
-    const auto points = profile_spectrum(Sample({g, z}, false), Axis1D::x, DataWindow::hann);
+    const auto points = profile_spectrum(Sample({g, z}), Axis1D::x, DataWindow::hann);
     for (std::size_t k = 0; k < points.size(); ++k) {
       reasons += points[k].no_error == NoError::resolution;
       if (points[k].no_error != NoError::none) continue;

@@ -1,5 +1,5 @@
 // What jumps where it is marked as periodic, and what does not.
-#include "stats/hybrid/seam.hpp"
+#include "stats/hybrid/slopes.hpp"
 
 #include <numbers>
 #include <random>

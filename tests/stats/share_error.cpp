@@ -113,8 +113,7 @@ TEST_CASE("shares of independent cells have the binomial error", "[share-error][
   std::vector<Spread> square(edges.size());
   for (unsigned seed = 0; seed < 60; ++seed) {
     const Field z = excess_of(white_noise(g.shape, seed), 0.3);
-    QuantileErrors errors(g, {1000, 160.0 / 120}, edges);
-    errors.add(z), errors.finish();
+    const QuantileErrors errors(z, g, {1000, 160.0 / 120}, edges);
     const double n = static_cast<double>((!z.isNaN()).count());
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const double f = static_cast<double>((z <= edges[k]).count()) / n;
@@ -136,7 +135,7 @@ TEST_CASE("95 % intervals of shares of a correlated part of a field cover the tr
     const int fields = 300;
     for (unsigned seed = 0; seed < fields; ++seed) {
       const Field z = excess_of(moving_average(g.shape, {window, window}, seed), level);
-      const Sample sample({.grid = g, .heights = z, .variable = "pressure", .units = "Pa"}, false);
+      const Sample sample({.grid = g, .heights = z, .variable = "pressure", .units = "Pa"});
       std::vector<Bin> bins = histogram(z, 2, HeightRange{0, 2 * edge});
       set_errors(bins, z, g, sample.extent());
       // The second bin holds all above the edge.

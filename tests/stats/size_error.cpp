@@ -14,7 +14,7 @@ using namespace asperity::test;
 namespace {
 
 Sample sample_of(const Field& z, bool periodic = false) {
-  return Sample({.grid = grid(z.rows(), z.cols(), periodic), .heights = remove_form(z)}, false);
+  return Sample({.grid = grid(z.rows(), z.cols(), periodic), .heights = remove_form(z)});
 }
 
 Parameter named(const Parameters& all, const std::string& name) {
@@ -108,7 +108,7 @@ TEST_CASE("effective sample sizes have an error, a reason why not, or are exact"
 
   Surface drawn{.grid = grid(96, 96), .heights = remove_form(z)};
   drawn.correlation = triangular_correlation({5, 4});
-  const Parameters known = heights_of(Sample(std::move(drawn), false));
+  const Parameters known = heights_of(Sample(std::move(drawn)));
   for (const char* name : {"N_eff_mean", "N_eff", "N_eff_Ssk", "N_eff_Sku"}) {
     CHECK(std::isnan(named(known, name).standard_error));
     CHECK(named(known, name).why.empty());

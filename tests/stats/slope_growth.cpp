@@ -1,5 +1,5 @@
 // How the slope grows from grid to grid: closed forms of a wave and of white noise.
-#include "stats/hybrid/slope_growth.hpp"
+#include "stats/hybrid/slopes.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,6 @@
 
 #include "core/error.hpp"
 #include "fields.hpp"
-#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

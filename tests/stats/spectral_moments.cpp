@@ -3,7 +3,6 @@
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
-#include "whole.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

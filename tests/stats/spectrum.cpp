@@ -67,7 +67,7 @@ TEST_CASE("tables of wave numbers of both signs add up to Sq squared, of a chess
                    sum = half.row(0).sum() + 2 * half.bottomRows(half.rows() - 1).sum();
       CAPTURE(shape.nx, shape.ny);
       CHECK(relative_error(sum / (g.size_x() * g.size_y()), square) <= 40 * epsilon);
-      const Sample sample({.grid = g, .heights = z}, false);
+      const Sample sample({.grid = g, .heights = z});
       for (const auto& [axis, length] :
            {std::pair{Axis1D::x, g.size_x()}, std::pair{Axis1D::y, g.size_y()}}) {
         const auto points = profile_spectrum(sample, axis, DataWindow::none);

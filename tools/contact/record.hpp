@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/grid_error.hpp"
-#include "stats/hybrid/slope_growth.hpp"
+#include "stats/hybrid/slopes.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/contact/press.hpp"
 

@@ -87,21 +87,13 @@ void if_possible(Measure measure) try {
 // unknown.
 GapRoughness roughness_of(const Field& rough_gap, const Grid& grid, int threads, double largest) {
   GapRoughness out;
-  const Strip whole = Strip::whole(rough_gap, grid);
-  const double mean = rough_gap.mean();
   if_possible([&] { out.rms_height = moments(rough_gap).sq; });
   const RmsSlope slope = rms_slope(rough_gap, grid);
   out.rms_slope = slope.value, out.rms_slope_error = slope.error;
-  if_possible([&] {
-    SpectralMomentSums spectral;
-    spectral.add(whole, mean, threads);
-    out.nayak_alpha = spectral.moments(grid).isotropic().bandwidth();
-  });
+  if_possible([&] { out.nayak_alpha = spectral_moments(rough_gap, grid, threads).isotropic().bandwidth(); });
   if_possible([&] {
     constexpr double round_off = 1e-10;  // of values that cancelled, and far more
-    SummitSums summits(round_off * largest);
-    summits.add(whole, mean, threads);
-    const CountedSummits counted = summits.summits(grid);
+    const CountedSummits counted = counted_summits(rough_gap, grid, round_off * largest, threads);
     if (counted.count > 0) out.plateaus = counted.plateaus / counted.count;
     out.summit_deviation = counted.height_deviation;
     out.summit_curvature = counted.mean_curvature;

@@ -7,8 +7,7 @@
 #include "contact/doubts.hpp"
 #include "contact/ratios.hpp"
 #include "dataset/dataset.hpp"
-#include "stats/hybrid/seam.hpp"
-#include "stats/hybrid/slope_growth.hpp"
+#include "stats/hybrid/slopes.hpp"
 #include "tools/cli/shared_fields.hpp"
 #include "tools/contact/options.hpp"
 

@@ -12,7 +12,7 @@ Sample measured(const Case& c, const std::string& variable) {
   as_usual.variable = variable;
   Surface surface = as_usual.without_heights(c.data);
   surface.heights = field_of(c.data, variable, Missing::not_a_number);
-  return Sample(prepared(std::move(surface), as_usual.asked), false);
+  return Sample(prepared(std::move(surface), as_usual.asked));
 }
 
 Sample measured_whole(const Case& c, const std::string& variable) {

@@ -46,7 +46,7 @@ Distribution distribution_of(const cli::CountedCells& part) {
   Distribution out{.bins = histogram(part.values, 1, range), .points = part.counted};
   if (own.width() > 0) {
     const Sample sample(
-        {.grid = part.grid, .heights = part.values, .variable = part.variable, .units = part.units}, false);
+        {.grid = part.grid, .heights = part.values, .variable = part.variable, .units = part.units});
     const int bins = scott_bins({.sq = sample.moments().sq, .sp = range.highest}, part.counted);
     out = distribution_of(sample, range, bins, 0);
   }
@@ -56,7 +56,7 @@ Distribution distribution_of(const cli::CountedCells& part) {
 
 Distribution distribution_of(const Case& c, const std::string& variable) {
   if (const auto part = cli::counted_cells(c.data, variable)) return distribution_of(*part);
-  const Sample sample({grid_of(c.data), field_of(c.data, variable, Missing::not_a_number)}, false);
+  const Sample sample({grid_of(c.data), field_of(c.data, variable, Missing::not_a_number)});
   const Field& z = sample.surface().heights;
   const Moments& m = sample.moments();
   Bins bins{scott_bins(m, sample.size().points()), height_range(z)};
