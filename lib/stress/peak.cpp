@@ -2,192 +2,276 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
-#include "core/calibration.hpp"
-#include "stress/layers.hpp"
+#include "stress/layer_maxima.hpp"
 
 namespace asperity {
 namespace {
 
-using calibration::stress::scan_ratio;
-
-constexpr double wide_step = 0.15, narrow_step = 0.03;  // of the depth
-constexpr double settled = 3e-10;                       // of the value: what a step would gain
-constexpr int most_steps = 24;
-
+using stress::Component;
+using stress::Tensor;
 using Vector = std::array<double, 3>;
-using Symmetric = std::array<Vector, 3>;
 
-// x of (damping - H) x = g in the free directions, 0 in the others; false where that matrix is not positive.
-bool solve(const Symmetric& h, const Vector& g, const std::array<bool, 3>& held, double damping, Vector& x) {
-  Symmetric l{};
-  Vector y{};
-  auto a = [&](std::size_t i, std::size_t j) {
-    if (held[i] || held[j]) return i == j ? 1.0 : 0.0;
-    return (i == j ? damping : 0.0) - h[i][j];
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = a(i, j);
-      for (std::size_t k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
-      if (i == j && !(sum > 0)) return false;
-      l[i][j] = i == j ? std::sqrt(sum) : sum / l[j][j];
-    }
-    y[i] = held[i] ? 0 : g[i];
-    for (std::size_t k = 0; k < i; ++k) y[i] -= l[i][k] * y[k];
-    y[i] /= l[i][i];
-  }
-  for (std::size_t i = 3; i-- > 0;) {
-    x[i] = y[i];
-    for (std::size_t k = i + 1; k < 3; ++k) x[i] -= l[k][i] * x[k];
-    x[i] /= l[i][i];
-  }
-  return true;
+constexpr Index window_side = 24;               // cells along a side
+constexpr double point_step = 0.03;             // of the depth, between the points of a quadratic
+constexpr double widest = 0.5;                  // of the depth, from its middle
+constexpr double coarse = 0.02, finest = 2e-5;  // of the depth, last steps
+constexpr double settled = 2e-8;                // of the value
+constexpr int most_rounds = 24;
+
+// How many cells make up one as wide as a third of the depth, of windows of at most twice the domain.
+Index width_at(double z, double spacing, Index n) {
+  Index s = 1;
+  while (2 * wide_cell_depth * static_cast<double>(s) * spacing <= z && window_side * s < 2 * n) s *= 2;
+  return s;
 }
 
-double largest(const Vector& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+Index cell_at(double place, double spacing, Index n) {
+  return static_cast<Index>(std::floor(place / spacing + 0.5 * static_cast<double>(n)));
+}
 
 }  // namespace
 
-// f and its differences in units of `scale`.
-struct PeakClimber::Model {
-  double scale = 0;
-  Vector slope{};
-  Symmetric bend{};
+// The stress about a place: the window's, and what the field has beyond it.
+class PeakFinder::Model {
+ public:
+  // At the place alone; `quadratic` adds points around it.
+  Model(const PeakFinder& of, const StressPlace& at, bool centred)
+      : of_(of),
+        along_x_(at.x, at.z, of.body_.grid.dx, of.body_.grid.shape.nx),
+        along_y_(at.y, at.z, of.body_.grid.dy, of.body_.grid.shape.ny),
+        window_(window_of(of.body_, along_x_, along_y_)),
+        at_(at),
+        centred_(centred),
+        scale_(std::max(at.z, 0.1 * std::min(of.body_.grid.dx, of.body_.grid.dy))) {
+    middle_ = beyond({});
+    at_.value = value(at.x, at.y, at.z);
+  }
+
+  void quadratic() {
+    const Grid& g = of_.body_.grid;
+    const double d = point_step * scale_;
+    const Vector by{centred_ ? g.dx : d, centred_ ? g.dy : d, d};
+    const std::array<bool, 3> varies{of_.varies_x(), of_.varies_y(), true};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!varies[k]) continue;
+      const bool above = k < 2 || at_.z >= d;  // else twice below
+      Vector to{}, back{};
+      to[k] = by[k], back[k] = above ? -by[k] : 2 * by[k];
+      const Tensor once = beyond(to), other = beyond(back);
+      for (Component c : stress::components) {
+        const double f = middle_[c], twice = 2 * by[k] * by[k];
+        bend_[k][c] = (above ? once[c] - 2 * f + other[c] : other[c] - 2 * once[c] + f) / twice;
+        slope_[k][c] = (once[c] - f) / by[k] - bend_[k][c] * by[k];
+      }
+    }
+    // Where it repeats the load is one of waves, which differ from the window's steps in products, too.
+    if (g.periodic.both())
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = k == 0 ? 1 : 0, j = k == 2 ? 1 : 2;
+        if (!varies[i] || !varies[j]) continue;
+        Vector up{}, down{};
+        up[i] = by[i], down[i] = -by[i], up[j] = down[j] = by[j];
+        const Tensor one = beyond(up), other = beyond(down);
+        for (Component c : stress::components)
+          twist_[k][c] = (one[c] - other[c] - 2 * by[i] * slope_[i][c]) / (2 * by[i] * by[j]);
+      }
+  }
+
+  Tensor at(double x, double y, double z) const {
+    const Vector by{x - at_.x, y - at_.y, z - at_.z};
+    Tensor s = near_at(x, y, z);
+    for (Component c : stress::components) {
+      s[c] += middle_[c] + by[1] * by[2] * twist_[0][c] + by[0] * by[2] * twist_[1][c] +
+              by[0] * by[1] * twist_[2][c];
+      for (std::size_t k = 0; k < 3; ++k) s[c] += by[k] * (slope_[k][c] + by[k] * bend_[k][c]);
+    }
+    return s;
+  }
+  double value(double x, double y, double z) const { return equivalent_stress(of_.of_, at(x, y, z)); }
+  const StressPlace& place() const { return at_; }
+  double scale() const { return scale_; }
+  bool centred() const { return centred_; }
+
+ private:
+  // Cells along an axis, s of which make a wide one of the window.
+  struct Along {
+    Index s, first;
+    double middle;  // of the window [m]
+    Along(double place, double z, double spacing, Index n)
+        : s(width_at(z, spacing, n)), first(cell_at(place, spacing, n) - window_side / 2 * s) {
+      middle = (static_cast<double>(first + window_side / 2 * s) - 0.5 * static_cast<double>(n)) * spacing;
+    }
+  };
+
+  static LoadedBody window_of(const LoadedBody& body, const Along& x, const Along& y) {
+    const Grid& g = body.grid;
+    const auto [nx, ny] = g.shape;
+    Field p = Field::Zero(window_side, window_side);
+    for (Index i = 0; i < window_side * x.s; ++i) {
+      Index m = x.first + i;
+      if (g.periodic.x) m = wrapped(m, nx);
+      if (m < 0 || m >= nx) continue;
+      for (Index j = 0; j < window_side * y.s; ++j) {
+        Index n = y.first + j;
+        if (g.periodic.y) n = wrapped(n, ny);
+        if (n >= 0 && n < ny) p(i / x.s, j / y.s) += body.pressure(m, n);
+      }
+    }
+    p /= static_cast<double>(x.s * y.s);
+    return {{{window_side, window_side}, static_cast<double>(x.s) * g.dx, static_cast<double>(y.s) * g.dy},
+            p,
+            body.poisson,
+            body.friction};
+  }
+
+  Tensor near_at(double x, double y, double z) const {
+    return window_.at(x - along_x_.middle, y - along_y_.middle, z);
+  }
+  // Of the field at a place seen from the middle.
+  Tensor beyond(const Vector& by) const {
+    const double x = at_.x + by[0], y = at_.y + by[1], z = at_.z + by[2];
+    Tensor s = of_.field_.at(x, y, z);
+    const Tensor near = near_at(x, y, z);
+    for (Component c : stress::components) s[c] -= near[c];
+    return s;
+  }
+
+  const PeakFinder& of_;
+  Along along_x_, along_y_;
+  CellSum window_;
+  StressPlace at_;
+  bool centred_;
+  double scale_;
+  Tensor middle_{};
+  std::array<Tensor, 3> slope_{}, bend_{}, twist_{};  ///< twist_[k]: of the two axes other than k
 };
 
-PeakClimber::PeakClimber(const LoadedBody& body, Criterion of, double below, int threads)
+PeakFinder::PeakFinder(const LoadedBody& body, Criterion of, double below, int threads)
     : body_(body),
       of_(of),
       below_(below),
-      field_(std::max(0.5 * accurate_depth(body.grid), below)),
-      shallowest_(0.1 * std::min(body.grid.dx, body.grid.dy)) {
-  if (body.grid.periodic.any())
-    points_ = std::make_unique<StressPoints>(body, threads);
-  else
-    tree_ = std::make_unique<CellTree>(body);
+      steps_show_(std::max(0.5 * accurate_depth(body.grid), below)),
+      field_(body, threads) {}
+
+// Of the cell that holds a place.
+double PeakFinder::at_centre(double place, double length, double spacing, Index n, bool periodic) const {
+  if (periodic) place = std::remainder(place, length);
+  const Index cell = std::clamp<Index>(cell_at(place, spacing, n), 0, n - 1);
+  return (static_cast<double>(cell) + 0.5) * spacing - 0.5 * length;
 }
 
-double PeakClimber::value(double x, double y, double z) const {
-  return equivalent_stress(of_, tree_ ? tree_->at(x, y, z) : points_->at(x, y, z));
-}
-
-PeakClimber::Model PeakClimber::model(const StressPlace& at, double step) const {
-  const double d = step * std::max(at.z, shallowest_);
-  const auto& [shape, dx, dy, periodic] = body_.grid;
-  const std::array<bool, 3> level{periodic.x && shape.nx == 1, periodic.y && shape.ny == 1, false};
-  auto f = [&](double a, double b, double c) { return value(at.x + a * d, at.y + b * d, at.z + c * d); };
-  Model out{d, {}, {}};
-  std::array<double, 3> up{}, down{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (level[i]) {
-      up[i] = down[i] = at.value;
-      continue;
-    }
-    up[i] = f(i == 0, i == 1, i == 2);
-    down[i] = f(i == 0 ? -1 : 0, i == 1 ? -1 : 0, i == 2 ? -1 : 0);
-    out.slope[i] = 0.5 * (up[i] - down[i]);
-    out.bend[i][i] = up[i] - 2 * at.value + down[i];
-  }
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      if (level[i] || level[j]) continue;
-      auto both = [&](double s) {
-        return f(i == 0 || j == 0 ? s : 0, i == 1 || j == 1 ? s : 0, i == 2 || j == 2 ? s : 0);
-      };
-      out.bend[i][j] = out.bend[j][i] =
-          0.5 * (both(1) + both(-1) + 2 * at.value - up[i] - down[i] - up[j] - down[j]);
-    }
-  return out;
-}
-
-// Kept inside the cells' centres, where the domain is free, and below the depth from which the field counts.
-StressPlace PeakClimber::moved(const StressPlace& from, const Vector& by) const {
+// By steps to the highest of the 26 neighbours, smaller where there is none; no farther from the middle
+// than `range` times the depth, inside the outermost centres where the domain is free.
+StressPlace PeakFinder::largest_of(const Model& m, const StressPlace& from, double range, double last) const {
   const Grid& g = body_.grid;
-  auto inside = [](double place, bool periodic, double first, double last) {
-    return periodic ? place : std::clamp(place, first, last);
+  const StressPlace& middle = m.place();
+  auto inside = [&](double to, double about, double reach, bool periodic, double first, double end) {
+    to = std::clamp(to, about - reach, about + reach);
+    return periodic ? to : std::clamp(to, first, end);
   };
-  StressPlace out{0, inside(from.x + by[0], g.periodic.x, g.x(0), g.x(g.shape.nx - 1)),
-                  inside(from.y + by[1], g.periodic.y, g.y(0), g.y(g.shape.ny - 1)),
-                  std::max(from.z + by[2], field_)};
-  out.value = value(out.x, out.y, out.z);
-  return out;
-}
-
-// Directions that lead out.
-std::array<bool, 3> PeakClimber::held(const StressPlace& at, const Vector& slope) const {
-  const Grid& g = body_.grid;
-  auto at_end = [](double place, bool periodic, double first, double last, double up) {
-    return !periodic && ((place <= first && up <= 0) || (place >= last && up >= 0));
-  };
-  return {at_end(at.x, g.periodic.x, g.x(0), g.x(g.shape.nx - 1), slope[0]),
-          at_end(at.y, g.periodic.y, g.y(0), g.y(g.shape.ny - 1), slope[1]), at.z <= field_ && slope[2] <= 0};
-}
-
-StressPlace PeakClimber::field_peak(StressPlace from, double goal) const {
-  StressPlace at = moved(from, {});
-  double step = wide_step;
-  for (int k = 0; k < most_steps; ++k) {
-    const Model m = model(at, step);
-    const std::array<bool, 3> out = held(at, m.slope);
-    const double size = std::max(std::abs(m.bend[0][0]) + std::abs(m.bend[1][1]) + std::abs(m.bend[2][2]),
-                                 1e-12 * std::abs(at.value));
-    const double farthest_step = 0.4 / step;  // in units of the model's
-    Vector s{};
-    double damping = 1e-9 * size, gain = 0;
-    StressPlace next = at;
-    for (int tries = 0; tries < 12; ++tries, damping *= 8) {
-      if (!solve(m.bend, m.slope, out, damping, s) || largest(s) > farthest_step) {
-        damping = std::max(damping, 0.02 * size);
-        continue;
-      }
-      gain = m.slope[0] * s[0] + m.slope[1] * s[1] + m.slope[2] * s[2];  // twice of it
-      if (0.5 * gain <= settled * std::abs(at.value)) break;
-      next = moved(at, {s[0] * m.scale, s[1] * m.scale, s[2] * m.scale});
-      if (next.value > at.value) break;
-      next = at;
-      damping = std::max(damping, 0.02 * size);
-    }
-    const bool narrow = step <= narrow_step;
-    if (at.value + 4 * gain + 0.01 * std::abs(at.value) < goal && k == 2) return at;
-    if (!(next.value > at.value)) {
-      if (narrow) break;
-      step = narrow_step;
-      continue;
-    }
-    if (0.5 * gain <= 1e-3 * std::abs(at.value)) step = narrow_step;
-    at = next;
-    if (narrow && 0.5 * gain <= settled * std::abs(at.value)) break;
-  }
-  return of_ == Criterion::von_mises ? at : creep(at);
-}
-
-StressPlace PeakClimber::creep(StressPlace at) const {
-  for (double step = 0.05; step > 1e-6;) {
-    StressPlace best = at;
-    const double d = step * std::max(at.z, shallowest_);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (double sign : {-1.0, 1.0}) {
-        Vector by{};
-        by[i] = sign * d;
-        if (const StressPlace next = moved(at, by); next.value > best.value) best = next;
-      }
-    if (best.value - at.value <= 1e-9 * std::abs(at.value))
-      step *= 0.4;
+  const double reach_x = m.centred() ? 3 * g.dx : range * m.scale(),
+               reach_y = m.centred() ? 3 * g.dy : range * m.scale(), reach_z = range * m.scale(),
+               over = std::max(middle.z - reach_z, m.centred() ? below_ : steps_show_),
+               under = m.centred() ? std::min(middle.z + reach_z, steps_show_) : middle.z + reach_z;
+  const int along_x = varies_x(), along_y = varies_y();
+  StressPlace top = from;
+  for (double step = 0.5 * range; step >= last;) {
+    const double d = step * m.scale();
+    StressPlace best = top;
+    for (int p = -along_x; p <= along_x; ++p)
+      for (int q = -along_y; q <= along_y; ++q)
+        for (int r = -1; r <= 1; ++r) {
+          if (p == 0 && q == 0 && r == 0) continue;
+          StressPlace next{0,
+                           inside(top.x + p * (m.centred() ? g.dx : d), middle.x, reach_x, g.periodic.x,
+                                  g.x(0), g.x(g.shape.nx - 1)),
+                           inside(top.y + q * (m.centred() ? g.dy : d), middle.y, reach_y, g.periodic.y,
+                                  g.y(0), g.y(g.shape.ny - 1)),
+                           std::clamp(top.z + r * d, over, under)};
+          if (m.centred() && step < coarse && (p != 0 || q != 0)) continue;
+          next.value = m.value(next.x, next.y, next.z);
+          if (next.value > best.value) best = next;
+        }
+    if (best.value - top.value > 1e-9 * std::abs(top.value))
+      top = best;
     else
-      at = best;
+      step *= 0.4;
   }
-  return at;
+  return top;
 }
 
-StressPlace PeakClimber::climb(const StressPlace& from, double goal) const {
-  auto higher = [](const StressPlace& a, const StressPlace& b) { return a.value < b.value ? b : a; };
-  if (from.z < field_) {
-    const StressPlace top = centres_peak(from);
-    return scan_ratio * top.z < field_ ? top : higher(top, field_peak(top, std::max(goal, top.value)));
+// On the cells' centres where the steps between the cells show, else below.
+StressPlace PeakFinder::within(StressPlace place, bool centred) const {
+  const Grid& g = body_.grid;
+  if (!centred) {
+    if (!g.periodic.x) place.x = std::clamp(place.x, g.x(0), g.x(g.shape.nx - 1));
+    if (!g.periodic.y) place.y = std::clamp(place.y, g.y(0), g.y(g.shape.ny - 1));
+    place.z = std::max(place.z, steps_show_);
+    return place;
   }
-  const StressPlace top = field_peak(from, goal);
-  return top.z > field_ || field_ <= below_ ? top : higher(top, centres_peak(top));
+  place.x = at_centre(place.x, g.size_x(), g.dx, g.shape.nx, g.periodic.x);
+  place.y = at_centre(place.y, g.size_y(), g.dy, g.shape.ny, g.periodic.y);
+  place.z = std::clamp(place.z, below_, steps_show_);
+  return place;
+}
+
+PeakFinder::Estimate PeakFinder::estimate(const StressPlace& from) const {
+  const bool centred = from.z < steps_show_;
+  const Model model(*this, within(from, centred), centred);
+  return {model.place(), largest_of(model, model.place(), widest, coarse).value};
+}
+
+// The highest maximum of a model from eight places about its middle, or this one: peaks may be closer
+// together than the points of a scan.
+StressPlace PeakFinder::largest_beside(const Model& m, StressPlace top) const {
+  const double d = 0.8 * widest * m.scale();
+  for (int p = -varies_x(); p <= varies_x(); ++p)
+    for (int q = -varies_y(); q <= varies_y(); ++q) {
+      StressPlace from = m.place();
+      from.x += p * d, from.y += q * d;
+      from = within(from, false);
+      from.value = m.value(from.x, from.y, from.z);
+      if (const StressPlace other = largest_of(m, from, widest, coarse); other.value > top.value) top = other;
+    }
+  return top;
+}
+
+StressPlace PeakFinder::refined(const StressPlace& from, bool centred, double goal) const {
+  auto model = std::make_unique<Model>(*this, within(from, centred), centred);
+  model->quadratic();
+  double range = widest;
+  for (int round = 0; round < most_rounds && range >= finest; ++round) {
+    const StressPlace& here = model->place();
+    const double level = settled * std::abs(here.value), scale = model->scale(), x = here.x, y = here.y,
+                 z = here.z;
+    StressPlace next = largest_of(*model, here, range, finest);
+    if (round == 0 && !centred) next = largest_of(*model, largest_beside(*model, next), range, finest);
+    if (next.value + 2e-3 * std::abs(next.value) < goal || next.value - here.value <= level) break;
+    auto ahead = std::make_unique<Model>(*this, next, centred);
+    const double value = ahead->place().value;
+    if (value <= here.value) {  // led too far
+      range *= 0.3;
+      continue;
+    }
+    model = std::move(ahead);
+    auto free = [&](double by) { return std::abs(by) < 0.9 * range * scale; };  // of the range's end
+    if (std::abs(next.value - value) <= level && free(next.z - z) &&
+        (centred || (free(next.x - x) && free(next.y - y))))
+      break;
+    model->quadratic();
+  }
+  return model->place();
+}
+
+StressPlace PeakFinder::find(const StressPlace& from, double goal) const {
+  auto higher = [](const StressPlace& a, const StressPlace& b) { return a.value < b.value ? b : a; };
+  const bool centred = from.z < steps_show_;
+  const StressPlace top = refined(from, centred, goal);
+  const bool leads_across =
+      centred ? scan_ratio * top.z >= steps_show_ : top.z <= steps_show_ && steps_show_ > below_;
+  return leads_across ? higher(top, refined(top, !centred, std::max(goal, top.value))) : top;
 }
 
 }  // namespace asperity

@@ -1,55 +1,54 @@
-/// The largest stress near a place: what a scan of layers found, refined at points of the field.
+/// The largest stress near a place that the scan of layers found, refined at points of the field.
 ///
-/// From the depth of one longer side of a cell on, the field of stress/points.hpp itself is climbed in x, y
-/// and z, by Newton's method on differences over 0.15 and then 0.03 of the depth, damped until the value
-/// rises; where a criterion has a crease, the steps are then halved along each axis. Above that depth the
-/// field shows the steps of the pressure between the cells: there only the columns through the cells' centres
-/// count: the largest value along one is found by Brent's method, then along a higher one beside it.
+/// About a place the field is that of a window of 24 × 24 cells, as wide as a third of the depth, with a
+/// quadratic in x, y and z for what other cells add: it meets the field of stress/points.hpp at seven
+/// points, 0.03 of the depth apart. Its maximum, found by steps to the highest of 26 neighbours, is the
+/// next place, until the field there has the predicted value. Above the depth of one longer side of a cell
+/// the field shows the steps of the pressure between the cells: there only the columns through the cells'
+/// centres count, and places move from one to the next.
 ///
-/// Accuracy  the value 1e-7 of the maximum that is climbed (tests/stress/shallow.cpp).
-/// Cost      40 to 60 points; above one cell some 36 a column.
+/// Accuracy  the value 1e-6 of the maximum to which it leads (tests/stress/shallow.cpp).
+/// Cost      8 to 25 points of the field, some 600 of a window, 15 to 40 µs each.
 #pragma once
 
-#include <functional>
-#include <memory>
-
-#include "stress/cell_tree.hpp"
 #include "stress/maximum.hpp"
 #include "stress/points.hpp"
 
 namespace asperity {
 
-/// Where a stress is how large.
+/// A stress and its place [m].
 struct StressPlace {
   double value = 0, x = 0, y = 0, z = 0;
 };
 
-class PeakClimber {
+class PeakFinder {
  public:
-  /// Above `below` [m] nothing is looked at. The body is kept by reference.
-  PeakClimber(const LoadedBody& body, Criterion of, double below, int threads);
+  /// The search ends above the depth `below` [m]. The body is kept by reference.
+  PeakFinder(const LoadedBody& body, Criterion of, double below, int threads);
 
   /// The maximum about a place; or a lower value where that maximum will not exceed `goal`.
-  StressPlace climb(const StressPlace& from, double goal) const;
-
-  double value(double x, double y, double z) const;
+  StressPlace find(const StressPlace& from, double goal) const;
+  /// From the one point of the field there: the field's value, and what the maximum about it may reach.
+  struct Estimate {
+    StressPlace at;
+    double reaches = 0;
+  };
+  Estimate estimate(const StressPlace& from) const;
 
  private:
-  using Vector = std::array<double, 3>;
-  struct Model;
-  StressPlace field_peak(StressPlace from, double goal) const;
-  StressPlace creep(StressPlace from) const;
-  StressPlace centres_peak(const StressPlace& from) const;
-  StressPlace column_peak(const StressPlace& from) const;
-  Model model(const StressPlace& at, double step) const;
-  StressPlace moved(const StressPlace& from, const Vector& by) const;
-  std::array<bool, 3> held(const StressPlace& at, const Vector& slope) const;
+  class Model;
+  bool varies_x() const { return !(body_.grid.periodic.x && body_.grid.shape.nx == 1); }
+  bool varies_y() const { return !(body_.grid.periodic.y && body_.grid.shape.ny == 1); }
+  StressPlace within(StressPlace place, bool centred) const;
+  StressPlace refined(const StressPlace& from, bool centred, double goal) const;
+  StressPlace largest_of(const Model& model, const StressPlace& from, double range, double last) const;
+  StressPlace largest_beside(const Model& model, StressPlace top) const;
+  double at_centre(double place, double length, double spacing, Index n, bool periodic) const;
 
   const LoadedBody& body_;
   Criterion of_;
-  double below_, field_, shallowest_;
-  std::unique_ptr<CellTree> tree_;        ///< of a free body
-  std::unique_ptr<StressPoints> points_;  ///< of a periodic one
+  double below_, steps_show_;  ///< [m]
+  CellSum field_;
 };
 
 }  // namespace asperity

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "contact/energy.hpp"
-#include "contact/patches.hpp"
+#include "contact/outline.hpp"
 #include "core/error.hpp"
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/summits.hpp"

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "contact/flattening.hpp"
-#include "contact/hertz.hpp"
+#include "contact/bodies.hpp"
+#include "contact/energy.hpp"
 #include "contact/influence.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/grid_words.hpp"

@@ -1,15 +1,15 @@
 /// The requested quantities of layers, row by row, in as little memory as they allow.
 ///
 /// Components and the von Mises stress are computed from one component after the other
-/// (stress/mises_layer.hpp); principal stresses and what follows from them need all six at once. So do layers
+/// (MisesLayer); principal stresses and what follows from them need all six at once. So do layers
 /// of less than 768² cells, where memory matters less than what components have in common.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "stress/equivalent.hpp"
 #include "stress/layers.hpp"
-#include "stress/mises_layer.hpp"
 #include "tools/stress/quantity.hpp"
 
 namespace asperity::cli {

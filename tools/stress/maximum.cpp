@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/words.hpp"
-#include "stress/edge.hpp"
+#include "stress/maximum_error.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/table.hpp"
 
