@@ -22,7 +22,7 @@
 #include <fmt/format.h>
 
 #include "acf/kernel.hpp"
-#include "contact/hertz.hpp"
+#include "contact/bodies.hpp"
 #include "contact/influence.hpp"
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"

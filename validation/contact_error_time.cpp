@@ -20,7 +20,7 @@
 
 #include <fmt/format.h>
 
-#include "contact/hertz.hpp"
+#include "contact/bodies.hpp"
 #include "contact/influence.hpp"
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"

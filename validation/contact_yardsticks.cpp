@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/projection.hpp"
+#include "contact/problem.hpp"
 
 namespace asperity {
 namespace {

@@ -38,8 +38,8 @@
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spectrum/spectrum.hpp"
+#include "stress/equivalent.hpp"
 #include "stress/maximum.hpp"
-#include "stress/mises_layer.hpp"
 #include "surface/synthesis.hpp"
 #include "timing.hpp"
 

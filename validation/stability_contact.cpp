@@ -2,7 +2,7 @@
 #include <numbers>
 #include <random>
 
-#include "contact/hertz.hpp"
+#include "contact/bodies.hpp"
 #include "contact/influence.hpp"
 #include "contact/solver.hpp"
 #include "contact_scenes.hpp"

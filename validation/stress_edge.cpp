@@ -7,7 +7,7 @@
 /// μ = 0 and 0.25 and at the trailing edge for 0.4 and 0.5, beside Smith & Liu's; `found` is that of the
 /// search on the largest grid. Second table: errors of the largest von Mises stress, as shares of it, `found` by the
 /// search, `coarse` on cells twice as wide (means of four of the same pressure) and `extrapolated` from both at order
-/// ½; `stated` is what the library says may be missing (stress/edge.hpp). Third table: the largest tension (1-2ν)/3
+/// ½; `stated` is what the library says may be missing (stress/maximum_error.hpp). Third table: the largest tension (1-2ν)/3
 /// + πμ(4+ν)/8, on the same grids.
 #include <cstdlib>
 #include <numbers>
@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 
 #include "reference/hertz_stress.hpp"
-#include "stress/edge.hpp"
 #include "stress/equivalent.hpp"
+#include "stress/maximum_error.hpp"
 #include "timing.hpp"
 
 using namespace asperity;

@@ -6,15 +6,15 @@
 #include <optional>
 #include <utility>
 
-#include "contact/projection.hpp"
+#include "contact/calibration.hpp"
+#include "contact/problem.hpp"
 #include "contact/relaxation.hpp"
 #include "contact/subspace_cg.hpp"
-#include "core/calibration.hpp"
 
 namespace asperity {
 namespace {
 
-using namespace calibration::contact;
+using namespace contact;
 
 // The iterate, and what the steps to the next one work with.
 struct Iteration : ContactSolution {

@@ -9,7 +9,7 @@
 ///       gradient step p ← p + λ (Proj(p - α (g - δ)) - p),  λ = min(1, -(g-δ)·d / d·Kd)
 ///                     a few times; also when ε has not halved in four rounds, or |F| < 2
 ///
-/// A set with holes and islands of any size is the more ragged the finer the grid. Where F has far more edge
+/// The finer the grid, the more ragged is a set with holes and islands of any size. Where F has far more edge
 /// than a disc, on 128² cells or more, a subspace step
 ///   - takes the preconditioner of contact/two_level.hpp, and goes on to a tenth of the residual,
 ///   - leaves cells on their bound that are driven off it by little (FreeSet::proportion),
@@ -19,7 +19,7 @@
 ///
 /// Cells leave a bound when F is built, in a relaxation or in a gradient step; they join one in these and
 /// in guarded steps, and exactly. Whatever proposes a pressure, it is clipped and rescaled, and taken
-/// only as far as the energy falls, of which K d tells: every iterate is feasible and the energy falls,
+/// only as far as the energy falls, which K d shows: every iterate is feasible and the energy falls,
 /// so that the sets cannot cycle. On F, which always holds the free cells, the gradients go on while no
 /// bound is violated, and once the residual has fallen to a quarter they stop at the first violation, and
 /// where it has grown a thousandfold, for at round-off directions are noise.
@@ -59,7 +59,7 @@ struct ContactSolution {
   double convolutions = 0, preconditionings = 0;  ///< applications of K and of M
 };
 
-/// Told of every round.
+/// Called after every round.
 using ContactObserver = std::function<void(const ContactResidual&, double convolutions)>;
 
 /// Counts the rounds since a number last fell below a share of its mark, which is then set to it.

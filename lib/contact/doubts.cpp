@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "contact/hertz.hpp"
+#include "contact/bodies.hpp"
 #include "core/words.hpp"
 
 namespace asperity {
@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index cells_to_be_trusted = 50, cells_across = 8;
 constexpr double sides = 3;       // of a domain that holds a contact, in semi-axes
-constexpr double enlarged = 1.5;  // what has them already and is too small
+constexpr double widening = 1.5;  // what has them already and is too small
 
 using CellStates =
     Eigen::Map<const Eigen::Array<std::int8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
@@ -32,7 +32,7 @@ std::string enlarge(const Grid& grid, const Bodies& bodies, const Contact& conta
   const double filled = std::sqrt(contact.load / (std::numbers::pi * contact.max_pressure)) / smooth.radius;
   const double a = smooth.radius_x * std::max(1.0, filled), b = smooth.radius_y * std::max(1.0, filled);
   auto side = [](double semi_axis, double present, bool short_of) {
-    return std::max(sides * semi_axis, short_of ? enlarged * present : present);
+    return std::max(sides * semi_axis, short_of ? widening * present : present);
   };
   return fmt::format(": smooth bodies touch on {:.3g} x {:.3g} m; make it {:.3g} x {:.3g} m or more", 2 * a,
                      2 * b, side(a, grid.size_x(), touched.along_x), side(b, grid.size_y(), touched.along_y));
@@ -59,7 +59,7 @@ std::string widen(const Grid& grid, const Bodies& bodies, const Contact& contact
   const double b = hertz_line(grid, bodies, contact.load).half_width;
   const double present = grid.periodic.x ? grid.size_y() : grid.size_x();
   return fmt::format(": smooth bodies touch on a width of {:.3g} m; make it {:.3g} m or more along {}", 2 * b,
-                     std::max(sides * b, enlarged * present), grid.periodic.x ? "y" : "x");
+                     std::max(sides * b, widening * present), grid.periodic.x ? "y" : "x");
 }
 
 std::string at_the_edge(const Grid& grid, const Bodies& bodies, const Contact& contact, Touched touched) {

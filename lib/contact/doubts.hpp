@@ -1,4 +1,4 @@
-/// Where a contact leaves the model that it was computed with, in sentences.
+/// Where a contact leaves the half-space model, as sentences for the user.
 ///
 /// The model is that of half-spaces under small strains, on a domain that holds the contact. In doubt is
 ///     cells in contact < 50            too few for its outline and its pressure,                         (1)
@@ -6,7 +6,7 @@
 ///     max p > E*                       strains and slopes are of order one,                              (3)
 ///     L/2 > |R|                        the body has ended where its paraboloid goes on.                  (4)
 /// (1): 50 cells are a circle 8 across; where the domain repeats every n < 7 cells, 8n are a strip as wide.
-/// (2) tells the sides that are needed: 3a × 3b of Hertz's semi-axes, or of a like ellipse that carries the
+/// (2) states the sides that are needed: 3a × 3b of Hertz's semi-axes, or of a like ellipse that carries the
 /// load at max p where that is larger, and half as much again where the domain has them already; 3b across
 /// a line contact. (3): under p a square cell sinks by K₀₀ p = 1.12 Δx p/E*; solids yield long before: give a
 /// limit pressure.

@@ -31,7 +31,7 @@ class ElasticOperator {
   virtual void precondition(const Field& r, Field& z) = 0;
   /// K₀₀: the displacement of a cell under its own unit pressure [m/Pa].
   virtual double self_influence() const = 0;
-  /// K between two cells that are i and j apart, 0 ≤ i, j ≤ reach, but for a constant [m/Pa]. Asked only of
+  /// K between two cells that are i and j apart, 0 ≤ i, j ≤ reach, but for a constant [m/Pa]. Called only for
   /// shapes with more than 2 reach cells a side.
   virtual Field near_influence(Index reach) {
     Field u = Field::Zero(shape().nx, shape().ny);
@@ -45,12 +45,11 @@ class ElasticOperator {
   /// The same body on a rectangle of its cells, of this shape or somewhat more: K of pressures that are 0
   /// elsewhere. Its position does not matter: bodies are uniform. Null if it would not save time.
   virtual std::shared_ptr<ElasticOperator> windowed(Shape) { return nullptr; }
-  /// windowed() goes on as if it had never been asked: a solution then has the bits that a new operator gives
-  /// it, whatever was solved before.
+  /// Forgets the windows made so far: the next solution then has the bits that a new operator gives it.
   virtual void forget_windows() {}
   /// Spent so far on coefficients, plans and spectra.
   virtual double setup_seconds() const { return 0; }
-  /// Room that the caller may use until the next application.
+  /// Memory that the caller may use until the next application.
   virtual std::span<double> room(std::size_t doubles) {
     room_.resize(std::max(room_.size(), doubles));
     return {room_.data(), doubles};

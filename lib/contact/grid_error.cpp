@@ -7,7 +7,6 @@
 
 #include "contact/energy.hpp"
 #include "contact/outline.hpp"
-#include "core/calibration.hpp"
 #include "core/error.hpp"
 #include "core/halved.hpp"
 #include "core/stopwatch.hpp"
@@ -16,9 +15,17 @@
 namespace asperity {
 namespace {
 
-namespace share = calibration::grid_error;
-
-constexpr double energy_share = 0.5;  // of m, under a load: validation/contact_grid_error
+// validation/contact_grid_error. m is (1): the first difference alone is near zero by accident in a few per
+// cent of scenes.
+constexpr double coarse_residual = 1e-6;  // ε of the coarser contacts; 1e-3 is too loose
+constexpr Index least_coarse_side = 12;   // cells of the coarsest grid
+constexpr double pressure_share = 1.0 / 3, plastic_share = 1.0 / 3, stiffness_share = 1.0 / 3;  // of m
+constexpr double peak_share = 1.5;        // of the rise of a parabola above the largest pressure
+constexpr double approach_share = 0.4;    // of the larger m, of approach and mean gap
+constexpr double load_share = 0.8;        // of m, under a prescribed approach
+constexpr double energy_share = 0.5;      // of m, under a load
+constexpr double ragged_share = 1.0 / 3;  // of the stiffness, times Outline::scatter over its cells
+constexpr double missed_cells = 0.10;     // of a cell a side of the area at the limit pressure
 
 // By how much the mean of the paraboloid over 2 × 2 cells exceeds its value in their middle.
 double datum_of_mean(const Grid& fine, const Bodies& bodies) {
@@ -45,20 +52,20 @@ double rise_of_peak(const Field& p, Periodic periodic) {
 double plastic_area_error(const Grid& grid, const Contact& contact, double m) {
   if (contact.plastic_area == 0 && m == 0) return 0;
   const Outline around = outline(grid, contact, Contact::plastic);
-  const double missed = share::missed_cells * around.sides() * grid.cell_area();
-  return missed + std::max(area_scatter(grid, around), share::plastic_area * m);
+  const double missed = missed_cells * around.sides() * grid.cell_area();
+  return missed + std::max(area_scatter(grid, around), plastic_share * m);
 }
 
 // That of cells in place of an outline scatters as the area does, whose root it follows.
 double stiffness_error(const Grid& grid, const Contact& contact, const Outline& around, double m) {
-  const double rough = share::ragged * around.scatter() * grid.cell_area() / contact.area;
-  return std::max(share::stiffness * m, rough * contact.stiffness);
+  const double rough = ragged_share * around.scatter() * grid.cell_area() / contact.area;
+  return std::max(stiffness_share * m, rough * contact.stiffness);
 }
 
 // What the approach would be off by, times the stiffness: gap and load seldom are near zero together.
 double load_error(const CoarserContacts& coarser, double m, double gaps) {
   const double stiffness = coarser.contact[0].stiffness;
-  return std::max(share::load * m, std::isfinite(stiffness) ? share::approach * gaps * stiffness : 0);
+  return std::max(load_share * m, std::isfinite(stiffness) ? approach_share * gaps * stiffness : 0);
 }
 
 // What the one energy lacks, the other may have. Where a greater load did a part of the work of flattening
@@ -68,7 +75,7 @@ void set_energies(GridErrors& out, const Grid& grid, const Contact& contact, con
     return grid_change(energy(grid, contact), energy(coarser.grid[0], coarser.contact[0]),
                        energy(coarser.grid[1], coarser.contact[1]));
   };
-  out.elastic_energy = (coarser.under_approach ? share::load : energy_share) * m(&elastic_energy);
+  out.elastic_energy = (coarser.under_approach ? load_share : energy_share) * m(&elastic_energy);
   if (contact.flattening.size() > 0) return;
   const double moved =
       m([&](const Grid& g, const Contact& c) { return plastic_work(g, c, coarser.limit_pressure); });
@@ -78,7 +85,7 @@ void set_energies(GridErrors& out, const Grid& grid, const Contact& contact, con
 }  // namespace
 
 bool has_coarser_contacts(Shape shape) {
-  return shape.nx % 4 == 0 && shape.ny % 4 == 0 && std::min(shape.nx, shape.ny) >= 4 * share::least_side;
+  return shape.nx % 4 == 0 && shape.ny % 4 == 0 && std::min(shape.nx, shape.ny) >= 4 * least_coarse_side;
 }
 
 CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
@@ -89,12 +96,12 @@ CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, 
   out.limit_pressure = parameters.limit_pressure;
   if (!has_coarser_contacts(grid.shape)) {
     out.unknown = fmt::format("{} cells: both sides must be multiples of 4, of {} cells at least",
-                              text(grid.shape), 4 * share::least_side);
+                              text(grid.shape), 4 * least_coarse_side);
     return out;
   }
   const Stopwatch watch;
   ContactParameters coarse = parameters;
-  coarse.tolerance = share::tolerance;
+  coarse.tolerance = coarse_residual;
   coarse.progress = {};
   if (!coarse.approach) coarse.load = contact.load;
   coarse.stiffness = coarse.stiffness || coarse.approach;
@@ -133,18 +140,18 @@ GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserCo
   const double gaps = m(&Contact::mean_gap);
   GridErrors out;
   out.max_pressure =
-      std::max(share::pressure * m(&Contact::max_pressure),
-               contact.plastic_area > 0 ? 0 : share::peak * rise_of_peak(contact.pressure, grid.periodic));
+      std::max(pressure_share * m(&Contact::max_pressure),
+               contact.plastic_area > 0 ? 0 : peak_share * rise_of_peak(contact.pressure, grid.periodic));
   out.area = area_excess(grid, around);
   out.area_corrected = corrected_area_error(grid, contact, around);
   out.plastic_area = plastic_area_error(grid, contact, m(&Contact::plastic_area));
   out.stiffness = stiffness_error(grid, contact, around, m(&Contact::stiffness));
   if (!coarser.under_approach) {
-    out.approach = share::approach * std::max(m(&Contact::approach), gaps);
+    out.approach = approach_share * std::max(m(&Contact::approach), gaps);
     out.mean_gap = out.approach;
   } else {
     out.load = load_error(coarser, m(&Contact::load), gaps);
-    out.mean_gap = share::approach * gaps;
+    out.mean_gap = approach_share * gaps;
   }
   set_energies(out, grid, contact, coarser);
   return out;

@@ -6,7 +6,7 @@
 /// The contact of the mean gaps of 2 × 2 and of 4 × 4 cells is solved from the mean pressures. With a figure
 /// v on n, n/2 and n/4 cells a side,
 ///     m = max(|v(n) - v(n/2)|, ¼ |v(n/2) - v(n/4)|)   (math/grid_change.hpp),                    (1)
-/// and each error is a share of m (core/calibration.hpp). An order is not fitted: the figures of a rough
+/// and each error is a share of m (contact/grid_error.cpp). An order is not fitted: the figures of a rough
 /// contact have none, and the first difference is near zero by accident. For the largest pressure the rise of
 /// the parabolas through it and its neighbours counts too; the areas have errors of their own outline, and
 /// the stiffness, with the root of the area, no less than a share of that scatter (contact/outline.hpp). The
@@ -45,7 +45,7 @@ struct CoarserContacts {
 /// The sides that (1) needs: multiples of four, of 48 cells at least.
 bool has_coarser_contacts(Shape shape);
 
-/// Of a solved contact and what it was solved with, under its own load. Nothing is thrown: `unknown` tells
+/// Of a solved contact and what it was solved with, under its own load. Nothing is thrown: `unknown` says
 /// why there are none.
 CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, ElasticOperator& influence,
                                  const Contact& contact, const ContactParameters& parameters,

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/calibration.hpp"
 #include "contact/repeated_cell.hpp"
-#include "core/calibration.hpp"
 #include "core/stopwatch.hpp"
 #include "math/asinh_difference.hpp"
 #include "math/gauss_legendre.hpp"
@@ -173,11 +173,10 @@ class HalfSpace final : public ElasticOperator {
     auto exceeds = [](Shape a, double share, Shape b) {
       return static_cast<double>(a.cells()) > share * static_cast<double>(b.cells());
     };
-    if (exceeds(torus, calibration::contact::largest_window, torus_for(shape())) ||
-        !covers(shape(), window.shape))
+    if (exceeds(torus, contact::largest_window, torus_for(shape())) || !covers(shape(), window.shape))
       return nullptr;
     const bool goes_on = window_ && std::exchange(asked_, true) && covers(window_->shape(), least) &&
-                         !exceeds(window_->shape(), calibration::contact::shared_window, window.shape);
+                         !exceeds(window_->shape(), contact::shared_window, window.shape);
     if (goes_on || (window_ && window_->shape() == window.shape)) return window_;
     asked_ = true;
     setup_ = setup_seconds();
@@ -189,7 +188,7 @@ class HalfSpace final : public ElasticOperator {
   using Convolution = std::unique_ptr<BasicEvenConvolution<Real>>;
 
   // Of so many cells that single precision pays.
-  bool is_large() const { return shape().cells() >= calibration::contact::single_cells; }
+  bool is_large() const { return shape().cells() >= contact::single_cells; }
   static bool covers(Shape a, Shape b) { return a.nx >= b.nx && a.ny >= b.ny; }
 
   // The fewest points on which cells do not act around the torus but along a periodic axis.

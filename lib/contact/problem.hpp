@@ -28,7 +28,9 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "contact/blocks.hpp"
 #include "contact/elastic_operator.hpp"
@@ -77,5 +79,28 @@ void check_carried(const char* name, double load, const Grid& grid, double cap);
 
 /// (4), δ and what comes with them, for g = h + K p.
 ContactResidual contact_residual(const ContactProblem& problem, const Field& p, const Field& g);
+
+/// Pressures onto 0 ≤ p ≤ c and Σp = S. Both functions keep the bounds exactly and the load to round-off; S ≤
+/// n c is presupposed. Where the approach is given in place of the load, both only clip. Cost: a few passes
+/// over the cells. The first gives the nearest pressure in the Euclidean norm: p = clip(x + s, 0, c), s by
+/// safeguarded Newton steps.
+void project(const ContactProblem& problem, Field& p);
+
+/// Clips, then multiplies the free cells by the factor that restores the load, again while some of them reach
+/// c. Cells at 0 or at c stay there. False if no positive factor does it; then p is only clipped.
+bool clip_and_rescale(const ContactProblem& problem, Field& p);
+
+/// The problem on coarser cells, for a start that is nearly the solution, and the body there. The gap is
+/// averaged over 2 × 2 cells.
+struct CoarseLevel {
+  std::unique_ptr<ElasticOperator> body;
+  ContactProblem problem;
+};
+
+/// Under the same load or approach, from the second finest grid on: sides are even, no half below 32.
+std::vector<CoarseLevel> coarser_levels(const ContactProblem& problem);
+/// Pressures on the grid twice as fine, shared among ranks as `to`: with the weights 9-3-3-1 of the four
+/// nearest coarse cells where the coarse cell that holds the fine one is in contact, 0 elsewhere.
+Field prolonged(const Field& coarse, const Slabs& from, const Slabs& to, Periodic periodic, int threads);
 
 }  // namespace asperity

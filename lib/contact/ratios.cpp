@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/hertz.hpp"
+#include "contact/bodies.hpp"
 
 namespace asperity {
 namespace {

@@ -4,22 +4,22 @@
 #include <vector>
 
 #include "contact/blocks.hpp"
-#include "core/calibration.hpp"
+#include "contact/calibration.hpp"
 
 namespace asperity {
 namespace {
 constexpr Index block = Relaxation::block, reach = Relaxation::reach;
 
-Index blocks_along(Index cells) { return (cells + block - 1) / block; }
+Index strips_along(Index cells) { return (cells + block - 1) / block; }
 
 // Every eighth cell of a row is of a class. In rows of p and g the classes follow each other; in those of d
-// each has a 0 before and behind it.
+// each has a 0 at both ends.
 struct Classes {
   explicit Classes(Index row) : cells(row) {}
 
-  Index count(Index c) const { return blocks_along(cells - c); }
+  Index count(Index c) const { return strips_along(cells - c); }
   Index begin(Index c) const { return c * (cells / block) + std::min(c, cells % block); }
-  Index stride() const { return blocks_along(cells) + 2; }
+  Index stride() const { return strips_along(cells) + 2; }
   /// Of the cells c + 8k in a row of d, -8 ≤ c < 16.
   Index padded(Index c) const {
     const Index turns = c < 0 ? -1 : c / block;
@@ -55,7 +55,7 @@ Relaxation::Relaxation(ElasticOperator& body, int threads)
   const double edge = std::max(k(reach + 1, 0), k(0, reach + 1));
   for (Index i = 0; i <= reach; ++i)
     for (Index j = 0; j <= reach; ++j) near_[size(i)][size(j)] = std::max(0.0, k(i, j) - edge);
-  held_ = calibration::contact::held_load * edge;
+  held_ = contact::held_load * edge;
 }
 
 // Of rows forth and back.
@@ -130,7 +130,7 @@ void Relaxation::relax(Field& p, Field& g, double approach, double cap, int swee
   const Index length = block * Classes(p.cols()).stride();
   Rows d(body_.room(size((rows + 2 * reach) * length)).data(), rows + 2 * reach, length);
   d.setZero();
-  loads_ = Field::Zero(blocks_along(rows), blocks_along(p.cols()));
+  loads_ = Field::Zero(strips_along(rows), strips_along(p.cols()));
   for (Field* field : {&p, &g}) reorder(*field, false, threads_);
   for (Index kind = 0; kind < sweeps; ++kind) {  // even strips, odd strips of all ranks
     const Index odd = (kind + before) % 2;

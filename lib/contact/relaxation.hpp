@@ -1,7 +1,7 @@
-/// Relaxation of a pressure within its bounds, by what cells do to their neighbours.
+/// Relaxation of a pressure within its bounds, cell by cell with its neighbours.
 ///
-/// What a step on a free set throws out of bounds should not be clipped alone: the load that a cell loses
-/// belongs to its neighbours. About a pressure p with g = h + K p the energy of a change d, 0 ≤ p + d ≤ c, is
+/// Where a step on a free set leaves the bounds, clipping is not enough: the load that a cell loses belongs
+/// to its neighbours. About a pressure p with g = h + K p the energy of a change d, 0 ≤ p + d ≤ c, is
 /// modelled by
 ///     E = (g - δ)·d + ½ d·A d,   A = K_t + β Z Zᵀ,                                            (1)
 ///     K_t(i,j) = max(0, K(i,j) - K_R),   β = 4 K_R,                                           (2)
@@ -12,11 +12,11 @@
 ///
 /// Rows are swept forth and back in strips of 64, all even strips before the odd ones: strips of a kind do
 /// not reach each other and may run on several threads or ranks, and a strip stays in the cache. In a row
-/// every eighth cell comes first, then the cells beside these, and so on: those that are eight apart
+/// every eighth cell comes first, then their neighbours, and so on: those that are eight apart
 /// neither reach each other nor share a block, and are relaxed in vector lanes.
 ///
 /// Cost    25 operations a cell and sweep; four sweeps take 0.5 to 0.8 of a padded K.
-/// Memory  none of its own but for the loads of blocks: d lies in the room that K leaves.
+/// Memory  none of its own but for the loads of blocks: d uses memory of K that is free then.
 ///
 /// A. Brandt, C. W. Cryer, Multigrid algorithms for the solution of linear complementarity problems arising
 /// from free boundary problems, SIAM J. Sci. Stat. Comput. 4 (1983) 655-684.

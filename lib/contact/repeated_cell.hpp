@@ -7,7 +7,7 @@
 ///     S(x, y) = lim_{N→∞} Σ_{|m|≤N} I(x + mL, y) - (8ab/L) ln((2N+1) L/d),                   (2)
 /// whose mean along x is πE* times (1), averaged over the cell's width. Three cells are summed as they are.
 /// The others are smooth in x: an even polynomial through ten points of each row. There cells up to |m| = M
-/// are summed too, and what lies beyond is, by Euler and Maclaurin's formula from X = x + (M + ½)L on,
+/// are summed too, and the rest is, by Euler and Maclaurin's formula from X = x + (M + ½)L on,
 ///     Σ_{m>M} 1/r(x + mL) = [-ln((X + r)/d) - s² P₁/24 + 7 s⁴ P₃/960 - 31 s⁶ P₅/8064
 ///                            + 127 s⁸ P₇/30720 + …] / L,   r² = X² + y²,   s = L/r,          (3)
 /// with Legendre's polynomials Pₙ(X/r), averaged over the cell by Gauss's rule.

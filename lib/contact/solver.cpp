@@ -6,12 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "contact/calibration.hpp"
 #include "contact/influence.hpp"
-#include "contact/nested.hpp"
 #include "contact/problem.hpp"
 #include "contact/stiffness.hpp"
 #include "contact/windowed.hpp"
-#include "core/calibration.hpp"
 #include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "core/words.hpp"
@@ -19,7 +18,7 @@
 namespace asperity {
 namespace {
 
-using namespace calibration::contact;
+using namespace contact;
 
 struct Gaps {
   double least = std::numeric_limits<double>::infinity(), sum = 0;
@@ -222,7 +221,8 @@ void solve(Contact& contact, const Grid& grid, ContactProblem problem, const Con
 
 void ContactParameters::check() const {
   if (approach && load != 0)
-    throw ParameterError("approach", fmt::format("{} m is given beside a load of {} N", *approach, load));
+    throw ParameterError("approach",
+                         fmt::format("{} m is given together with a load of {} N", *approach, load));
   if (approach && !std::isfinite(*approach))
     throw ParameterError("approach", fmt::format("{} m is not finite", *approach));
   if (!approach && !(load > 0 && std::isfinite(load)))

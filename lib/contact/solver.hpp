@@ -53,11 +53,11 @@ struct ContactParameters {
   double limit_pressure = std::numeric_limits<double>::infinity();  ///< p_Y [Pa]; infinity: elastic
   double tolerance = 1e-6;                                          ///< of ε
   int max_convolutions = 1000;                                      ///< on the finest grid
-  bool stiffness = false;                                           ///< tell dQ/dδ too, by as many again
+  bool stiffness = false;                                           ///< compute dQ/dδ too, by as many again
   bool nested_start = true;                                         ///< begin on coarser grids
   Field start = {};                                                 ///< or from this pressure [Pa], if any
   int threads = 1;
-  std::function<void(const ContactProgress&)> progress = {};  ///< told of every round
+  std::function<void(const ContactProgress&)> progress = {};  ///< called after every round
 
   /// Throws ParameterError unless load > 0 or an approach is given, not both; the rest > 0, tolerance < 1.
   void check() const;
@@ -70,9 +70,9 @@ struct Contact {
   Field displacement;              ///< K p [m], into the bodies
   Field gap;                       ///< [m]; negative where flattened
   std::vector<std::int8_t> state;  ///< State of each cell of the grid
-  Field flattening;  ///< that a greater load has left before, in h [m] (contact/sweep.hpp); or empty
+  Field flattening;  ///< by an earlier, larger load, already in h [m] (contact/sweep.hpp); empty if none
   double flattening_load = 0;        ///< that load [N]
-  std::optional<Slabs> shared = {};  ///< by ranks, of whose rows the fields are; figures are of all
+  std::optional<Slabs> shared = {};  ///< among ranks: fields hold a rank's rows, figures are of all
   Slabs slabs() const { return shared.value_or(Slabs(pressure.rows())); }
 
   double load = 0;          ///< Σ p ΔxΔy [N]
@@ -103,7 +103,7 @@ struct Contact {
 Contact solve_contact(const Grid& grid, Field undeformed_gap, double composite_modulus,
                       const ContactParameters& parameters);
 
-/// With any other operator. Throws DataError("heights") too when that is not one of the grid's cells.
+/// With any other operator. Throws DataError("heights") too when its cells are not those of the grid.
 Contact solve_contact(const Grid& grid, Field undeformed_gap, ElasticOperator& influence,
                       const ContactParameters& parameters);
 

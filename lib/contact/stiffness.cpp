@@ -3,15 +3,13 @@
 #include <memory>
 #include <utility>
 
+#include "contact/calibration.hpp"
 #include "contact/subspace_cg.hpp"
-#include "core/calibration.hpp"
 
 namespace asperity {
 namespace {
 
 constexpr double no_answer = 1e-9;  // of K₀₀: round-off of K 1 = 0
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 bool answers_constant(ElasticOperator& body, Shape own) {
   Field u = Field::Ones(own.nx, own.ny);
   body.apply(u, u);
@@ -23,7 +21,7 @@ std::unique_ptr<TwoLevel> two_level_on(const FreeSet& free, ElasticOperator& bod
   if (!TwoLevel::suits(body.shape())) return nullptr;
   auto out = std::make_unique<TwoLevel>(body, threads);
   out->set(free.mask);
-  return out->raggedness() > calibration::contact::ragged_for_blocks ? std::move(out) : nullptr;
+  return out->raggedness() > contact::ragged_for_blocks ? std::move(out) : nullptr;
 }
 
 }  // namespace
@@ -40,14 +38,17 @@ Stiffness contact_stiffness(ElasticOperator& body, const Field& pressure, double
   const bool full = free.cells == static_cast<double>(body.shape().cells());
   const int asked = full ? 1 : 0;
   if (full && !answers_constant(body, shape_of(pressure)))
-    return {.value = infinity, .residual = 0, .convolutions = static_cast<double>(asked)};
+    return {.value = std::numeric_limits<double>::infinity(),
+            .residual = 0,
+            .convolutions = static_cast<double>(asked)};
 
   problem.approach = 1;  // of K q
   Trial trial;
   const auto two_level = two_level_on(free, body, threads);
   // K of the steps is in single precision, which near full contact is too little for all of q at once: then
   // again from what the exact K leaves, while that helps.
-  Stiffness out{.residual = infinity, .convolutions = static_cast<double>(asked)};
+  Stiffness out{.residual = std::numeric_limits<double>::infinity(),
+                .convolutions = static_cast<double>(asked)};
   Field p, g;
   for (bool first = true;; first = false, p = trial.p, g = trial.g) {
     if (two_level) two_level->set(free.mask);

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/calibration.hpp"
+#include "contact/calibration.hpp"
 
 namespace asperity {
 
@@ -49,7 +49,7 @@ struct Drive {
 }  // namespace
 
 void FreeSet::proportion(const ContactProblem& problem, const Field& p, const Field& g, double approach) {
-  using namespace calibration::contact;
+  using namespace contact;
   const Drive drive = problem.blocks().sum([&, cap = problem.cap](Block block) {
     const auto pb = block.of(p), gb = block.of(g);
     const auto in_set = block.of(std::as_const(mask));

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "contact/flattening.hpp"
+#include "contact/energy.hpp"
 #include "contact/problem.hpp"
 #include "core/error.hpp"
 

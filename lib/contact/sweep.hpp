@@ -1,7 +1,7 @@
 /// The same bodies under one load after another, up or down.
 ///
 /// An elastic solution depends on its load alone. With a limit pressure the greatest load so far, Q_m, has
-/// left its flattening w (contact/flattening.hpp), and a smaller load presses what it left,
+/// left its flattening w (contact/energy.hpp), and a smaller load presses what it left,
 ///     h + w in place of h,                                                                    (1)
 /// which carries Q_m elastically and so, on the way down and up again, any load below. A load above Q_m
 /// flattens on, as if it had come first. A way up to Q_m and down loses the energy

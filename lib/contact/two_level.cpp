@@ -13,7 +13,7 @@ namespace {
 constexpr Index b = TwoLevel::side;
 using Row = Eigen::ArrayXd;
 
-Index blocks_along(Index cells) { return (cells + b - 1) / b; }
+Index square_blocks(Index cells) { return (cells + b - 1) / b; }
 
 // Of each eight values the sum, and eight times each value.
 Row sums_of_eight(const Row& cells) {
@@ -51,7 +51,7 @@ Field TwoLevel::from_coarse(const Field& coarse) const {
 // visit(I, first, last) of every row of blocks and its rows of cells.
 template <class Visit>
 void TwoLevel::each_block_row(Visit visit) const {
-  parallel_ranges(blocks_along(shape_.nx), threads_, [&](Index begin, Index end, int) {
+  parallel_ranges(square_blocks(shape_.nx), threads_, [&](Index begin, Index end, int) {
     for (Index I = begin; I < end; ++I) visit(I, b * I, std::min(b * (I + 1), shape_.nx));
   });
 }
@@ -59,7 +59,7 @@ void TwoLevel::each_block_row(Visit visit) const {
 void TwoLevel::set(const std::vector<std::int8_t>& mask) {
   mask_ = mask.data();
   applications_ = 0;
-  Field here(blocks_along(shape_.nx), blocks_along(shape_.ny));
+  Field here(square_blocks(shape_.nx), square_blocks(shape_.ny));
   each_block_row([&](Index I, Index first, Index last) {
     Row counts = Row::Zero(b * here.cols());
     for (Index i = first; i < last; ++i)

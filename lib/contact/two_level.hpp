@@ -27,15 +27,15 @@
 #include <vector>
 
 #include "contact/blocks.hpp"
+#include "contact/calibration.hpp"
 #include "contact/elastic_operator.hpp"
-#include "core/calibration.hpp"
 
 namespace asperity {
 
 /// When conjugate gradients on blocks end.
 struct BlockEnd {
-  double tolerance = calibration::contact::block_tolerance;  ///< of |y|
-  int steps = calibration::contact::block_steps;
+  double tolerance = contact::block_tolerance;  ///< of |y|
+  int steps = contact::block_steps;
 };
 
 class TwoLevel {
@@ -46,7 +46,7 @@ class TwoLevel {
 
   /// Whether a grid has so many cells that it may pay.
   static bool suits(Shape shape) {
-    return std::min(shape.nx, shape.ny) >= 2 * side && shape.cells() >= calibration::contact::fine_cells;
+    return std::min(shape.nx, shape.ny) >= 2 * side && shape.cells() >= contact::fine_cells;
   }
 
   /// F from now on: 1 for its cells, 0 for the others.

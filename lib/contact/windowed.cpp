@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/projection.hpp"
+#include "contact/problem.hpp"
 
 namespace asperity {
 
@@ -31,7 +31,7 @@ ContactWindow least_of_all(const Ranks& ranks, const ContactWindow& own) {
 
 namespace {
 
-using namespace calibration::contact;
+using namespace contact;
 
 double share_of(Shape part, const ContactProblem& problem) {
   return static_cast<double>(part.cells()) / static_cast<double>(problem.shape().cells());

@@ -1,4 +1,4 @@
-/// The contact problem on one grid, solved on the window of it that matters.
+/// The contact problem on one grid, solved on a window around the contact.
 ///
 /// Away from the contact p = 0, and the gap only has to be open. The iteration therefore works on a window W,
 /// a rectangle of cells around the contact, with the operator of a body of that size:
@@ -19,7 +19,7 @@
 #include <memory>
 
 #include "contact/bound_constrained_cg.hpp"
-#include "core/calibration.hpp"
+#include "contact/calibration.hpp"
 #include "core/extent.hpp"
 
 namespace asperity {
@@ -89,10 +89,10 @@ struct WindowedSolution : ContactSolution {
 };
 
 struct WindowedLimits {
-  double tolerance = 1e-6;     ///< of ε
-  double convolutions = 1000;  ///< on this grid, by their share
-  bool confirm = true;         ///< on the whole grid, even where the iteration has seen it
-  Index margin_part = calibration::contact::margin_part;  ///< a margin is this part of the contact's sides
+  double tolerance = 1e-6;                   ///< of ε
+  double convolutions = 1000;                ///< on this grid, by their share
+  bool confirm = true;                       ///< on the whole grid, even where the iteration has seen it
+  Index margin_part = contact::margin_part;  ///< a margin is this part of the contact's sides
 };
 
 /// Solves from a pressure; `near`: nearly the solution. May shift the problem's datum.

@@ -5,10 +5,15 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/calibration.hpp"
 #include "core/error.hpp"
 
 namespace asperity {
+
+namespace {
+
+constexpr Index own_cells = 1 << 18;  // up to which each of several ranks does all
+
+}  // namespace
 
 void Ranks::exchange(const Pieces& to, const Room& from) const {
   std::ranges::copy(to.front(), from.front().begin());
@@ -22,8 +27,7 @@ const Ranks& alone() {
 }
 
 Slabs shared_rows(Shape shape, const Ranks& ranks) {
-  const bool worth =
-      shape.cells() > calibration::contact::own_cells && shape.nx >= Slabs::run * ranks.count();
+  const bool worth = shape.cells() > own_cells && shape.nx >= Slabs::run * ranks.count();
   return worth ? Slabs(shape.nx, ranks) : Slabs(shape.nx);
 }
 

@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// Stresses along a row of points: for each component that was asked its values, else nothing.
+/// Stresses along a row of points: the values of each requested component; the others are empty.
 using StressRow = std::array<std::span<const double>, 6>;
 
 namespace stress {

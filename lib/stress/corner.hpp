@@ -1,10 +1,17 @@
-/// The corner functions (2), (3) of stress/influence.hpp, given r, T, A and L.
+/// The corner functions (2), (3) of stress/influence.hpp, given r, T, A and L; and eight at a time.
 ///
-/// Two sources share them: one exact for every argument, one compiled for vector units under looser rules of
-/// arithmetic. Internal linkage keeps their copies apart; include this header nowhere else.
+/// Two sources compute them: stress/influence.cpp, exact for every argument, and stress/corner.cpp, compiled
+/// for vector units under looser rules of arithmetic. Internal linkage keeps their copies apart.
+///
+/// Only the quarter X, Y > 0 is needed, for each function is even or odd in X and in Y. GCC replaces atan and
+/// log by the vector versions of glibc's libmvec.
+///
+/// Accuracy  of eight at a time 4 units in the last place of atan and log: 2e-15 absolute.
+/// Cost      about 11 ns a corner for all six functions of a pressure, two thirds of that for a traction.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 namespace asperity::corner {
 
@@ -55,3 +62,19 @@ static inline double yz(double z, double r) { return -quotient(z, r); }
 
 }  // namespace shear
 }  // namespace asperity::corner
+
+namespace asperity {
+
+inline constexpr std::ptrdiff_t corner_lanes = 8;
+
+/// Writes out[t][c][8j + l] = f(X, Y) at X = first + l, Y = (j + ½) height, depth z, for l < 8, j < rows, and
+/// every traction t and component c (stress/component.hpp) whose out[t][c] is not null. Lengths in units of
+/// the spacing in x; first > 0, z ≥ 0, where zero is replaced by a depth too small to matter.
+void corner_tile(double first, double height, std::ptrdiff_t rows, double z, double poisson,
+                 double* const out[3][6]);
+
+/// Likewise at X = x[l], Y = y[j] of any spacing, X > 0, Y ≥ 0.
+void corner_tile(const double* x, const double* y, std::ptrdiff_t rows, double z, double poisson,
+                 double* const out[3][6]);
+
+}  // namespace asperity

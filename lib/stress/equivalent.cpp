@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/large_field.hpp"
+
 namespace asperity {
 namespace {
 
@@ -30,9 +32,9 @@ inline Vector either(bool first, const Vector& a, const Vector& b) {
 inline Vector longer(const Vector& a, const Vector& b) { return either(dot(a, a) >= dot(b, b), a, b); }
 
 // The three rows of s, less x on the diagonal.
-struct Rows {
+struct TensorRows {
   Vector a, b, c;
-  explicit Rows(const Tensor& s, double x = 0)
+  explicit TensorRows(const Tensor& s, double x = 0)
       : a{s[stress::xx] - x, s[stress::xy], s[stress::xz]},
         b{s[stress::xy], s[stress::yy] - x, s[stress::yz]},
         c{s[stress::xz], s[stress::yz], s[stress::zz] - x} {}
@@ -57,11 +59,11 @@ inline Vector across(const Vector& v) {
 }
 
 // The two principal values in the plane of u and w, the larger first, and their directions.
-struct Plane {
+struct PrincipalPlane {
   double larger, smaller;
   Vector first, second;
 
-  Plane(const Rows& s, const Vector& u, const Vector& w) {
+  PrincipalPlane(const TensorRows& s, const Vector& u, const Vector& w) {
     const Vector su = s.times(u), sw = s.times(w);
     const double uu = dot(u, su), ww = dot(w, sw), uw = dot(u, sw);
     const double middle = 0.5 * (uu + ww), half = 0.5 * (uu - ww), radius = std::sqrt(half * half + uw * uw);
@@ -92,9 +94,10 @@ inline Vector into_the_body(const Vector& v) {
   const double over = 1 / (size > 0 ? size : 1);
   for (double& c : s) c *= over;
 
-  const double h = 0.5 * Rows(s).determinant(), x = std::copysign(lone_root(std::min(std::abs(h), 1.0)), h);
-  const Vector v = unit(Rows(s, x).adjugate_column()), u = across(v);
-  const Plane plane(Rows(s), u, cross(v, u));
+  const double h = 0.5 * TensorRows(s).determinant(),
+               x = std::copysign(lone_root(std::min(std::abs(h), 1.0)), h);
+  const Vector v = unit(TensorRows(s, x).adjugate_column()), u = across(v);
+  const PrincipalPlane plane(TensorRows(s), u, cross(v, u));
   const double lone = mean + size * x, larger = mean + size * plane.larger,
                smaller = mean + size * plane.smaller;
   const bool above = x > 0;
@@ -117,6 +120,11 @@ inline void along_row(const StressRow& s, RowOutputs out, Take take) {
            [&](std::size_t k) -> double& { return solved[k][l]; });
     for (std::size_t k = 0; k < outputs; ++k) std::copy_n(solved[k], points, out[k].data() + begin);
   }
+}
+
+double differences(double xx, double yy, double zz) {
+  const double a = xx - yy, b = yy - zz, c = zz - xx;
+  return a * a + b * b + c * c;
 }
 
 }  // namespace
@@ -156,6 +164,35 @@ void principal_directions(const StressRow& s, RowOutputs out) {
 #pragma GCC unroll 3
       for (std::size_t i = 0; i < 3; ++i) to(3 * k + i) = p.direction[k][i];
   });
+}
+
+MisesLayer::MisesLayer(Shape layer) : a_(large_field(layer)), b_(large_field(layer)) {}
+
+void MisesLayer::add(stress::Component c, Index i, std::span<const double> values) {
+  const auto s = Eigen::Map<const Eigen::Array<double, 1, Eigen::Dynamic>>(values.data(), a_.cols());
+  switch (c) {
+    case stress::xx:
+      a_.row(i) = s;
+      break;
+    case stress::yy:
+      b_.row(i) = s;
+      break;
+    case stress::zz:
+      for (Index j = 0; j < s.size(); ++j) a_(i, j) = differences(a_(i, j), b_(i, j), s(j));
+      break;
+    case stress::xy:
+      b_.row(i) = s;
+      break;
+    case stress::xz:  // the first square waits, for a compiler may fuse it with this sum
+      for (Index j = 0; j < s.size(); ++j) b_(i, j) = b_(i, j) * b_(i, j) + s(j) * s(j);
+      break;
+    case stress::yz:
+      for (Index j = 0; j < s.size(); ++j) b_(i, j) = b_(i, j) + s(j) * s(j);
+  }
+}
+
+void MisesLayer::row(Index i, double factor, std::span<double> out) const {
+  for (Index j = 0; j < a_.cols(); ++j) out[size(j)] = factor * std::sqrt(0.5 * a_(i, j) + 3 * b_(i, j));
 }
 
 }  // namespace asperity

@@ -33,7 +33,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
+#include "core/field.hpp"
 #include "stress/component.hpp"
 
 namespace asperity {
@@ -72,5 +74,21 @@ using RowOutputs = std::span<const std::span<double>>;
 void principal_stress(const StressRow& s, RowOutputs out);
 /// Likewise out[3k + i], component i of the direction of the k-th.
 void principal_directions(const StressRow& s, RowOutputs out);
+
+/// The von Mises stress (1) of a layer from one component after the other, to the same last bit: the sum of
+/// the squared differences waits for three components, two of which are kept; that of the squared shears
+/// takes the place of the second. Memory: two fields, where six components at once take six.
+class MisesLayer {
+ public:
+  explicit MisesLayer(Shape layer);
+
+  /// Row i of a component, all rows of which come in the order xx, yy, zz, xy, xz, yz.
+  void add(stress::Component c, Index i, std::span<const double> values);
+  /// When all have come, times a factor.
+  void row(Index i, double factor, std::span<double> out) const;
+
+ private:
+  Field a_, b_;
+};
 
 }  // namespace asperity

@@ -6,9 +6,8 @@
 
 #include "core/parallel.hpp"
 #include "math/gauss_legendre.hpp"
-#include "stress/corner_tile.hpp"
+#include "stress/corner.hpp"
 #include "stress/kernel_columns.hpp"
-#include "transform/mirrored.hpp"
 
 namespace asperity {
 namespace {
@@ -16,12 +15,9 @@ namespace {
 using stress::Component;
 using stress::Traction;
 
-constexpr Index width = LayerInfluence::width;
 constexpr double pi = std::numbers::pi;
 constexpr double flat = 1, fall = image_periods - flat;  // of w [periods]
 constexpr double endless = 1e20;                         // a coordinate in cells, beyond round-off of any
-
-Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
 // The integral of exp(β (√(1-u²) - 1)) over panels of [-1, 1].
 class Slope {
@@ -76,13 +72,13 @@ class ImageSum {
   void compute(double z, const std::array<stress::Set, 3>& asked) {
     for (Traction t : stress::tractions)
       for (Component c : stress::components) {
-        parts_[t][c].tile.resize(asked[t][c] ? size(width * across_) : 0);
+        parts_[t][c].tile.resize(asked[t][c] ? size(block_columns * across_) : 0);
         parts_[t][c].sum = asked[t][c] ? Field(Field::Zero(lags(), across_)) : Field();
       }
-    for (Index first = 0; first < image_periods * period_; first += width) {
+    for (Index first = 0; first < image_periods * period_; first += block_columns) {
       evaluate(static_cast<double>(first) + 0.5, z);
       each([&](Part& part, Traction t, Component c) {
-        for (Index l = 0; l < std::min(width, image_periods * period_ - first); ++l)
+        for (Index l = 0; l < std::min(block_columns, image_periods * period_ - first); ++l)
           add(part, first + l, row_of(part, l, odd_in_y(c, t)), odd_in_x(c, t));
       });
     }
@@ -120,7 +116,7 @@ class ImageSum {
     Row out(across_);
     double before = (odd ? 1 : -1) * part.tile[size(l)];
     for (Index j = 0; j < across_; ++j) {
-      const double f = part.tile[size(j * width + l)];
+      const double f = part.tile[size(j * block_columns + l)];
       out(j) = taper_[size(j)] * (f - before) / (2 * pi);
       before = f;
     }
@@ -180,10 +176,11 @@ class ImageInfluence final : public LayerInfluence {
     const int threads = static_cast<int>(work_.size());
     for (Traction t : stress::tractions)
       if (acting_[t])
-        parallel_ranges((own.count + width - 1) / width, threads, [&](Index begin, Index end, int worker) {
-          for (Index k = begin; k < end; ++k)
-            transform_along_y(t, own.first + k * width, work_[size(worker)]);
-        });
+        parallel_ranges((own.count + block_columns - 1) / block_columns, threads,
+                        [&](Index begin, Index end, int worker) {
+                          for (Index k = begin; k < end; ++k)
+                            transform_along_y(t, own.first + k * block_columns, work_[size(worker)]);
+                        });
     columns_.complete(threads);
   }
 
@@ -195,15 +192,15 @@ class ImageInfluence final : public LayerInfluence {
   }
 
   std::span<const double> by_lags(Traction t, Index b, int) override {
-    return {columns_.block(t, b), size(lags_.nx * width)};
+    return {columns_.block(t, b), size(lags_.nx * block_columns)};
   }
 
  private:
   struct Work {
     explicit Work(const ImageInfluence& of)
-        : rows(size(of.lags_.ny * width)),
+        : rows(size(of.lags_.ny * block_columns)),
           columns(size(std::max(of.along_x_.size(), of.along_y_.size()))),
-          spectrum(size(of.along_y_.size() + width)) {  // the last block of few columns is read whole
+          spectrum(size(of.along_y_.size() + block_columns)) {  // the last block of few columns is read whole
       for (Traction t : stress::tractions)
         if (of.acting_[t]) transfer[t].resize(size(of.along_x_.size()));
     }
@@ -216,18 +213,20 @@ class ImageInfluence final : public LayerInfluence {
   // Eight rows.
   void transform_along_y(Traction t, Index first, Work& work) const {
     const Field& kernel = in_x_ ? sum_.kernel(t, c_) : sum_.kernel(exchanged(t), stress::exchanged(c_));
-    const Index count = std::min(width, lags_.nx - first);
+    const Index count = std::min(block_columns, lags_.nx - first);
     for (Index j = 0; j < lags_.ny; ++j)
-      for (Index l = 0; l < width; ++l)
-        work.rows[size(j * width + l)] = l >= count ? 0 : in_x_ ? kernel(first + l, j) : kernel(j, first + l);
+      for (Index l = 0; l < block_columns; ++l)
+        work.rows[size(j * block_columns + l)] = l >= count ? 0
+                                                 : in_x_    ? kernel(first + l, j)
+                                                            : kernel(j, first + l);
     transform(along_y_, parity(odd_in_y(c_, t)), work.rows.data(), lags_.ny, work, work.spectrum.data());
     for (Index b = 0; b < columns_.blocks(); ++b)
       for (Index l = 0; l < count; ++l) {
-        const Complex* row = work.spectrum.data() + l / 2 * along_y_.stride() + b * width;
+        const Complex* row = work.spectrum.data() + l / 2 * along_y_.stride() + b * block_columns;
         double* column = columns_.place(t, b, first + l);
-        const Index modes =
-            std::min(width, along_y_.period() / 2 + 1 - b * width);  // what follows is scratch
-        for (Index q = 0; q < width; ++q)
+        const Index modes = std::min(
+            block_columns, along_y_.period() / 2 + 1 - b * block_columns);  // what follows is scratch
+        for (Index q = 0; q < block_columns; ++q)
           column[q] = q >= modes ? 0 : l % 2 == 0 ? row[q].real() : row[q].imag();
       }
   }

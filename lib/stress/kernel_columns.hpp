@@ -1,17 +1,20 @@
 /// The kernels of one component, transformed along y: a block of eight columns for each traction, [lag][8].
 ///
-/// They are read block by block while the layer's half spectrum is written block by block, and lie where that
-/// will be as far as there is room: two kernels of a free layer, three of a coarse one. A pressure with a
-/// traction along an axis thus needs no memory for its kernels. Of several ranks each writes some lags of all
-/// blocks there, and keeps all lags of its own blocks beside it.
+/// They are read block by block while the layer's half spectrum is written block by block, and are stored
+/// where that will be as far as there is room: two kernels of a free layer, three of a coarse one. A pressure
+/// with a traction along an axis thus needs no memory for its kernels. Of several ranks each writes some lags
+/// of all blocks there, and keeps all lags of its own blocks in memory of its own.
 #pragma once
 
 #include <algorithm>
 
 #include "stress/layer_influence.hpp"
 #include "transform/block_exchange.hpp"
+#include "transform/mirrored.hpp"
 
 namespace asperity {
+
+inline Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
 
 class KernelColumns {
  public:
@@ -40,7 +43,7 @@ class KernelColumns {
     for (stress::Traction t : stress::tractions) {
       if (!acting_[t]) continue;
       if (room.first != nullptr && taken + needed <= room.stride) {
-        // What goes to other ranks lies in one piece.
+        // What goes to other ranks is contiguous.
         place_[t] = lags_.shared() ? KernelRoom{room.first + taken * blocks_, needed}
                                    : KernelRoom{room.first + taken, room.stride};
         taken += needed;

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/calibration.hpp"
 #include "core/parallel.hpp"
-#include "stress/corner_tile.hpp"
+#include "stress/corner.hpp"
 #include "stress/images.hpp"
+#include "stress/influence.hpp"
 #include "stress/kernel_columns.hpp"
-#include "stress/wave.hpp"
-#include "transform/mirrored.hpp"
 
 namespace asperity {
 namespace {
@@ -17,22 +15,20 @@ namespace {
 using stress::Component;
 using stress::Traction;
 
-constexpr Index width = LayerInfluence::width;
 constexpr double scale = 0.5 / std::numbers::pi;  // of the corner sum
-static_assert(width == corner_lanes && width == MirroredTransform::width);
-
-Parity parity(bool odd) { return odd ? Parity::odd : Parity::even; }
+static_assert(block_columns == corner_lanes && block_columns == MirroredTransform::width);
 
 // x[i] ← taper[i] (x[i] - x[i-1]), where x[-1] = x[0] for an odd kernel (even corner function) and -x[0] for
 // an even one. The lag of half a period, which is its own negative, is 0 in an odd kernel.
 void difference(Parity kernel, double* x, const std::vector<double>& taper, Index period) {
   const auto rows = static_cast<Index>(taper.size());
   for (Index i = rows - 1; i > 0; --i)
-    for (Index q = 0; q < width; ++q)
-      x[i * width + q] = taper[size(i)] * (x[i * width + q] - x[(i - 1) * width + q]);
+    for (Index q = 0; q < block_columns; ++q)
+      x[i * block_columns + q] = taper[size(i)] * (x[i * block_columns + q] - x[(i - 1) * block_columns + q]);
   const double first = kernel == Parity::even ? 2 : 0;
-  for (Index q = 0; q < width; ++q) x[q] *= first;
-  if (kernel == Parity::odd && 2 * (rows - 1) == period) std::fill_n(x + (rows - 1) * width, width, 0.0);
+  for (Index q = 0; q < block_columns; ++q) x[q] *= first;
+  if (kernel == Parity::odd && 2 * (rows - 1) == period)
+    std::fill_n(x + (rows - 1) * block_columns, block_columns, 0.0);
 }
 
 // First along y, eight rows i at a time, as the corners come; along x when a block is requested.
@@ -52,8 +48,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   void set_depth(double z, stress::Set asked, Index lags) override {
     z_ = z;
     lags_ = lags == all_lags ? grid_.shape.nx : lags;
-    ready_ =
-        asked.count() > 1 && grid_.shape.cells() < calibration::stress::shared_layer ? asked : stress::Set();
+    ready_ = asked.count() > 1 && grid_.shape.cells() < shared_layer ? asked : stress::Set();
     if (ready_.any()) compute(ready_, {});
   }
 
@@ -72,7 +67,7 @@ class HalfSpaceInfluence : public LayerInfluence {
   }
 
   std::span<const double> by_lags(Traction t, Index b, int) override {
-    return {columns(c_).block(t, b), size(lags_ * width)};
+    return {columns(c_).block(t, b), size(lags_ * block_columns)};
   }
 
  private:
@@ -80,9 +75,10 @@ class HalfSpaceInfluence : public LayerInfluence {
 
   struct Work {
     explicit Work(const HalfSpaceInfluence& of)
-        : rows(size(of.grid_.shape.nx * width)),
+        : rows(size(of.grid_.shape.nx * block_columns)),
           columns(size(std::max(of.along_x_.size(), of.along_y_.size()))),
-          along_y_pairs(size(of.along_y_.size() + width)) {  // the last block of few columns is read whole
+          along_y_pairs(
+              size(of.along_y_.size() + block_columns)) {  // the last block of few columns is read whole
       for (Traction t : stress::tractions)
         if (of.acting_[t]) {
           transfer[t].resize(size(of.along_x_.size()));
@@ -104,9 +100,11 @@ class HalfSpaceInfluence : public LayerInfluence {
       own = columns(c).own_lags();
     }
     const int threads = static_cast<int>(work_.size());
-    parallel_ranges((own.count + width - 1) / width, threads, [&](Index begin, Index end, int worker) {
-      for (Index k = begin; k < end; ++k) transform_rows(asked, own.first + k * width, work_[size(worker)]);
-    });
+    parallel_ranges((own.count + block_columns - 1) / block_columns, threads,
+                    [&](Index begin, Index end, int worker) {
+                      for (Index k = begin; k < end; ++k)
+                        transform_rows(asked, own.first + k * block_columns, work_[size(worker)]);
+                    });
     for (Component c : stress::components)
       if (asked[c]) columns(c).complete(threads);
   }
@@ -116,7 +114,7 @@ class HalfSpaceInfluence : public LayerInfluence {
     for (Traction t : stress::tractions)
       for (Component c : stress::components) {
         if (!acting_[t] || !asked[c]) continue;
-        work.tile[t][c].resize(size(width * grid_.shape.ny));
+        work.tile[t][c].resize(size(block_columns * grid_.shape.ny));
         out[t][c] = work.tile[t][c].data();
       }
     corner_tile(static_cast<double>(first_row) + 0.5, grid_.dy / grid_.dx, grid_.shape.ny, z_ / grid_.dx,
@@ -131,13 +129,13 @@ class HalfSpaceInfluence : public LayerInfluence {
     const Parity along = parity(odd_in_y(c, t));
     difference(along, tile, taper_[1], along_y_.period());
     transform(along_y_, along, tile, grid_.shape.ny, work, work.along_y_pairs.data());
-    const Index rows = std::min(width, lags_ - first_row);
+    const Index rows = std::min(block_columns, lags_ - first_row);
     for (Index b = 0; b < columns(c).blocks(); ++b)
       for (Index l = 0; l < rows; ++l) {
         const auto* row = reinterpret_cast<const double*>(work.along_y_pairs.data() +
-                                                          l / 2 * along_y_.stride() + b * width);
+                                                          l / 2 * along_y_.stride() + b * block_columns);
         double* column = columns(c).place(t, b, first_row + l);
-        for (Index q = 0; q < width; ++q) column[q] = scale * row[2 * q + l % 2];
+        for (Index q = 0; q < block_columns; ++q) column[q] = scale * row[2 * q + l % 2];
       }
   }
 
@@ -171,7 +169,7 @@ class PeriodicInfluence : public LayerInfluence {
         modes_(size(threads)) {
     for (auto& transfer : transfer_)
       for (Traction t : stress::tractions)
-        if (acting[t]) transfer[t].resize(size(stride_ * width / 2));
+        if (acting[t]) transfer[t].resize(size(stride_ * block_columns / 2));
   }
 
   void set_depth(double z, stress::Set, Index) override { z_ = z; }
@@ -179,17 +177,19 @@ class PeriodicInfluence : public LayerInfluence {
 
   TransferFunction transfer_function(Traction t, Index b, int worker) override {
     AlignedVector<Complex>& transfer = transfer_[size(worker)][t];
-    for (Index q = 0; q < width; q += 2)
+    for (Index q = 0; q < block_columns; q += 2)
       for (Index kx = 0; kx < stride_; ++kx)
-        transfer[size(q / 2 * stride_ + kx)] = {mode(t, kx, b * width + q), mode(t, kx, b * width + q + 1)};
+        transfer[size(q / 2 * stride_ + kx)] = {mode(t, kx, b * block_columns + q),
+                                                mode(t, kx, b * block_columns + q + 1)};
     return {transfer, stride_};
   }
 
   std::span<const double> by_lags(Traction t, Index b, int worker) override {
     AlignedVector<double>& modes = modes_[size(worker)];
-    modes.resize(size(stride_ * width));
+    modes.resize(size(stride_ * block_columns));
     for (Index kx = 0; kx < stride_; ++kx)
-      for (Index q = 0; q < width; ++q) modes[size(kx * width + q)] = mode(t, kx, b * width + q);
+      for (Index q = 0; q < block_columns; ++q)
+        modes[size(kx * block_columns + q)] = mode(t, kx, b * block_columns + q);
     return modes;
   }
 

@@ -32,7 +32,11 @@
 
 namespace asperity {
 
-/// Where kernels may lie: in every block of columns, `stride` doubles after the one before, all of it.
+/// Cells of a layer from which on threads share it, and components come one by one: at 512² that takes a
+/// fifth longer, at 1024² as long (`volume` of validation/scaling).
+inline constexpr Index shared_layer = 768 * 768;
+
+/// Memory for kernels: in every block of columns, `stride` doubles after the one before, all of it.
 struct KernelRoom {
   double* first = nullptr;
   Index stride = 0;
@@ -43,7 +47,7 @@ struct KernelRoom {
 /// its own blocks, and goes to depths and components with the others.
 class LayerInfluence {
  public:
-  static constexpr Index width = 8;  ///< columns ky in a block
+  static constexpr Index width = block_columns;
   static constexpr Index all_lags = -1;
 
   /// S for the columns of a block, by pairs: column 8b + 2c is the real, 8b + 2c+1 the imaginary part of
@@ -54,9 +58,11 @@ class LayerInfluence {
   };
 
   virtual ~LayerInfluence() = default;
-  /// Goes to depth z [m], for the components asked; for the first `lags` alone, and then only for by_lags().
+  /// Goes to depth z [m], for the requested components; for the first `lags` alone, and then only for
+  /// by_lags().
   virtual void set_depth(double z, stress::Set asked, Index lags = all_lags) = 0;
-  /// Goes to one of them. Its kernels may lie in `room`; a block is not read after its transfer functions.
+  /// Goes to one of them. Its kernels may be stored in `room`; a block is not read after its transfer
+  /// functions.
   virtual void set_component(stress::Component c, KernelRoom room = {}) = 0;
   /// S under traction t for the columns 8b … 8b+7; good until the worker's next of the same traction.
   virtual TransferFunction transfer_function(stress::Traction t, Index b, int worker = 0) = 0;

@@ -4,16 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "core/calibration.hpp"
 #include "stress/layers.hpp"
-#include "stress/peak.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr double same = 1e-9;  // of a value: neighbours of a plateau
-
-Index wrapped(Index i, Index n) { return (i % n + n) % n; }
+constexpr double same = 1e-9;                                  // of a value: neighbours of a plateau
+constexpr double scan_margin = 0.03, principal_margin = 0.15;  // of the largest: starts below are left
+constexpr double wide_margin = 0.1;                            // added times (spacing / depth)² at most 1
 
 }  // namespace
 
@@ -36,7 +34,6 @@ LayerPeak peak_of_cross(const Nine& f) {
 }
 
 double least_start(Criterion of, const Grid& cells, double z, double top) {
-  using namespace calibration::stress;
   const double apart = at_centres(cells, z) ? 0 : std::min(1.0, std::max(cells.dx, cells.dy) / z),
                margin = (of == Criterion::principal ? principal_margin : scan_margin) +
                         wide_margin * apart * apart;

@@ -4,6 +4,7 @@
 /// what it lacks has faded to exp(-3π), 1e-3 of it.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "stress/maximum.hpp"
@@ -27,21 +28,28 @@ LayerPeak peak_of_cross(const Nine& f);
 /// A local maximum of a layer, between its centres.
 struct LayerMaximum {
   double value = 0, x = 0, y = 0, z = 0;
-  double dx = 0, dy = 0;  ///< between the points of that layer [m]
-  Index i = 0, j = 0;     ///< where in its field
-  double rise = 0;        ///< by which a parabola through the layers beside exceeds it
+  double dx = 0, dy = 0;  ///< spacing of the layer's points [m]
+  Index i = 0, j = 0;     ///< place in its field
+  double rise = 0;        ///< by which a parabola through the layers above and below exceeds it
 };
+
+/// The ratio of the scan's depths, and how many sides of a wide cell its depth must be: `maximum` and `depth`
+/// of validation/stress_error_time, tests/stress/maximum.cpp.
+inline constexpr double scan_ratio = std::numbers::sqrt2, wide_cell_depth = 3;
+
+/// i modulo n, 0 ≤ … < n.
+inline Index wrapped(Index i, Index n) { return (i % n + n) % n; }
 
 /// Whether the field shows the steps between the cells, so that its values at their centres alone count.
 bool at_centres(const Grid& grid, double z);
 
 /// The least value at depth z, of layers of these cells, from which a maximum may lie above `top`. Parabolas
-/// tell what lies between two layers to 3 % (of the largest tension, which has creases, 15 %), and what lies
-/// between the points of a layer, a times its depth apart, to 10 a² % (core/calibration.hpp).
+/// give the values between two layers to 3 % (of the largest tension, which has creases, 15 %), and those
+/// between the points of a layer, a times its depth apart, to 10 a² %.
 double least_start(Criterion of, const Grid& cells, double z, double top);
 
-/// A body of cells sx × sy as wide under their mean pressure; beside a free domain nothing acts. Its middle
-/// lies off that of the finer one by `shift`.
+/// A body of cells sx × sy as wide under their mean pressure; outside a free domain nothing acts. Its middle
+/// is off that of the finer one by `shift`.
 struct WiderCells {
   LoadedBody body;
   double shift_x = 0, shift_y = 0;
@@ -49,8 +57,7 @@ struct WiderCells {
 WiderCells wider_cells(const LoadedBody& body, Index sx, Index sy);
 
 /// The local maxima among rows rows_from … rows_to - 1, columns likewise, of values at depth z that reach
-/// `least`;
-/// of neighbours equal within 1e-9 the first.
+/// `least`; of neighbours equal within 1e-9 the first.
 void add_maxima(const Field& values, const Grid& grid, Index rows_from, Index rows_to, Index columns_from,
                 Index columns_to, double least, double z, std::vector<LayerMaximum>& out);
 

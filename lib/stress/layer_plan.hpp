@@ -16,16 +16,16 @@ struct Plane {
 };
 
 using StressRowSink = std::function<void(Index i, const StressRow& values)>;
-/// What several ranks do together behind some of their rows, those from `begin` on.
+/// What several ranks do together after some of their rows, those from `begin` on.
 using BehindRows = std::function<void(Index begin)>;
 
 /// One layer after the other, in buffers of its own.
 class LayerWork {
  public:
   virtual ~LayerWork() = default;
-  /// Hands over the rows of the layer at depth z [m] with the components asked: in order on one thread, on
-  /// several in any order and at the same time. Of several ranks, to each its own, and all call `behind`, if
-  /// there is one, behind `rows_at_a_time` of a layer's.
+  /// Hands over the rows of the layer at depth z [m] with the requested components: in order on one thread,
+  /// on several in any order and at the same time. Each of several ranks gets its own rows, and all call
+  /// `behind`, if there is one, after each `rows_at_a_time` of them.
   virtual void layer(double z, stress::Set asked, const StressRowSink& row, const BehindRows& behind) = 0;
 
   static constexpr Index rows_at_a_time = 64;

@@ -1,18 +1,89 @@
 #include "stress/layers.hpp"
 
 #include <algorithm>
+#include <condition_variable>
 
-#include "core/calibration.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 
 namespace asperity {
 namespace {
+
+// Cells of constant pressure near the surface: tests/stress/surface.cpp, a Hertz contact.
+constexpr double accurate_cells = 2;      // depth from which stresses are accurate
+constexpr double step_error = 0.09;       // of the largest pressure, above that depth
+constexpr double compliant_error = 0.11;  // times 1 - 2ν, if that is more
+constexpr double sliding_error = 0.26;    // times μ, in addition
 
 void check_plane(const Plane& plane, Shape cells) {
   const Index planes = plane.along_x ? cells.ny : cells.nx;
   check_parameter(
       plane.index >= 0 && plane.index < planes, "section",
       "plane " + std::to_string(plane.index) + " must lie in 0 ... " + std::to_string(planes - 1));
+}
+
+// compute(layer, worker), where worker < threads tells the threads apart.
+using ComputeLayer = std::function<void(Index layer, int worker)>;
+
+struct LayerQueue {
+  const Index count, window;  // layers, and how many may be ahead of those handed over
+  const ComputeLayer& compute;
+  const LayersFinished& finished;
+  std::vector<bool> complete = std::vector<bool>(static_cast<std::size_t>(count));
+  Index next = 0, handed_over = 0;
+  bool failed = false;
+  std::mutex mutex = {};
+  std::condition_variable changed = {};
+
+  void run(int worker) {
+    try {
+      take_part(worker);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      next = count, failed = true;
+      changed.notify_all();
+      throw;
+    }
+  }
+
+  void take_part(int worker) {
+    const bool caller = worker == 0;
+    auto over = [&] { return caller ? handed_over == count : next == count; };
+    for (std::unique_lock lock(mutex);; changed.notify_all()) {
+      changed.wait(lock, [&] { return failed || ready() || (caller && due()) || over(); });
+      if (failed || over()) return;
+      if (caller && due()) {
+        hand_over(lock);
+        continue;
+      }
+      const Index layer = next++;
+      lock.unlock();
+      compute(layer, worker);
+      lock.lock();
+      complete[static_cast<std::size_t>(layer)] = true;
+    }
+  }
+
+  void hand_over(std::unique_lock<std::mutex>& lock) {
+    const Index begin = handed_over;
+    Index end = begin;
+    while (end < count && complete[static_cast<std::size_t>(end)]) ++end;
+    lock.unlock();
+    if (finished) finished(begin, end);
+    lock.lock();
+    handed_over = end;
+  }
+
+  bool ready() const { return next < count && next < handed_over + window; }
+  bool due() const { return handed_over < count && complete[static_cast<std::size_t>(handed_over)]; }
+};
+
+// Computes each layer < count. finished() is called from the calling thread; where there is one, no layer
+// `threads` or more beyond the last that it knows is begun, so that as many buffers will do.
+void in_layers(Index count, int threads, const ComputeLayer& compute, const LayersFinished& finished) {
+  const Index workers = std::clamp<Index>(threads, 1, std::max<Index>(count, 1));
+  LayerQueue queue{count, finished ? workers : count, compute, finished};
+  parallel_ranges(workers, static_cast<int>(workers), [&](Index, Index, int worker) { queue.run(worker); });
 }
 
 }  // namespace
@@ -69,7 +140,7 @@ bool StressSolver::together() const {
          (!section_ && !body_.grid.periodic.one() && by_component());
 }
 
-bool StressSolver::by_component() const { return shape().cells() >= calibration::stress::shared_layer; }
+bool StressSolver::by_component() const { return shape().cells() >= shared_layer; }
 
 void StressSolver::release(const std::vector<double>& depths, Index next, Workspace& work) const {
   std::vector<bool> needed(levels_.size());
@@ -111,14 +182,12 @@ void StressSolver::layers(const std::vector<double>& depths, stress::Set asked, 
 
 double accurate_depth(const Grid& grid) {
   auto step = [](Index cells, double spacing, bool repeats) { return repeats && cells == 1 ? 0 : spacing; };
-  return calibration::stress::accurate_cells * std::max(step(grid.shape.nx, grid.dx, grid.periodic.x),
-                                                        step(grid.shape.ny, grid.dy, grid.periodic.y));
+  return accurate_cells * std::max(step(grid.shape.nx, grid.dx, grid.periodic.x),
+                                   step(grid.shape.ny, grid.dy, grid.periodic.y));
 }
 
 double shallow_error(double poisson, const Friction& friction) {
-  using namespace calibration::stress;
-  return std::max(edge_error, edge_error_compliant * (1 - 2 * poisson)) +
-         edge_error_friction * friction.coefficient;
+  return std::max(step_error, compliant_error * (1 - 2 * poisson)) + sliding_error * friction.coefficient;
 }
 
 }  // namespace asperity

@@ -42,10 +42,11 @@
 #include <vector>
 
 #include "stress/layer_plan.hpp"
-#include "stress/layer_queue.hpp"
 
 namespace asperity {
 
+/// finished(begin, end): the layers before `end` are complete.
+using LayersFinished = std::function<void(Index begin, Index end)>;
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
 enum class DepthResolution {
@@ -56,7 +57,7 @@ enum class DepthResolution {
 class StressSolver {
  public:
   /// Of whole layers, or of the row of each in a section alone. Throws as LoadedBody::check does, and
-  /// ParameterError("section") for a plane beside the cells.
+  /// ParameterError("section") for a plane outside the grid.
   StressSolver(LoadedBody body, std::optional<Plane> section, int threads = 1,
                DepthResolution resolution = DepthResolution::full);
   explicit StressSolver(LoadedBody body, int threads = 1, DepthResolution resolution = DepthResolution::full)
@@ -68,7 +69,7 @@ class StressSolver {
   Shape shape() const;
   /// The rows of a layer that this rank computes and is handed; the first rank has that of a section.
   Extent rows() const;
-  /// Whether a layer has so many points that its components are computed one by one whatever is asked for.
+  /// Whether a layer has so many points that its components are always computed one by one.
   bool by_component() const;
 
   /// What one thread needs to compute layers of one solver; may be used again for any depth and components.

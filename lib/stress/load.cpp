@@ -4,17 +4,40 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/poisson.hpp"
+#include "stress/influence.hpp"
 
 namespace asperity {
 namespace {
 
 // Of the largest pressure: squares of its stresses, also deep below it, are numbers that doubles hold.
 constexpr double least_pressure = 1e-100, greatest_pressure = 1e100;
+
+// The lattice of (2): tests/stress/section.cpp, against finer and wider ones.
+constexpr int bound_steps = 100;
+constexpr double bound_width = 4, bound_rise = 1.01;
+
+double norm(const stress::Tensor& s) {
+  double sum = 0;
+  for (stress::Component c : stress::components) sum += (c < stress::xy ? 1 : 2) * s[c] * s[c];
+  return std::sqrt(sum);
+}
+
+// The largest norm at depth 1 under a unit force.
+double largest_norm(double poisson, stress::Traction load) {
+  double top = 0;
+  for (int i = 0; i <= bound_steps; ++i)
+    for (int j = 0; j <= bound_steps; ++j)
+      top = std::max(top, norm(point_load_stress(bound_width * i / bound_steps, bound_width * j / bound_steps,
+                                                 1, poisson, load)));
+  return bound_rise * top;
+}
 
 }  // namespace
 
@@ -73,6 +96,17 @@ void LoadedBody::check() const {
 void check_depth(double z) {
   if (!(z >= 0 && z <= farthest))
     throw ParameterError("depth", fmt::format("{} m is not a depth, 0 ... {:g} m", z, farthest));
+}
+
+double stress_bound(const LoadedBody& body) {
+  const Eigen::ArrayXd of_rows = body.pressure.abs().rowwise().sum();
+  const auto all = gathered(*body.ranks, std::vector<double>(of_rows.begin(), of_rows.end()));
+  const double pressed = std::accumulate(all.begin(), all.end(), 0.0);
+  if (body.grid.periodic.any()) return std::numeric_limits<double>::infinity();
+  const double friction = body.friction.coefficient,
+               sliding = friction > 0 ? friction * largest_norm(body.poisson, stress::shear_x) : 0;
+  return std::sqrt(1.5) * (largest_norm(body.poisson, stress::normal) + sliding) * pressed *
+         body.grid.cell_area();
 }
 
 }  // namespace asperity

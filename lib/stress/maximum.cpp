@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "core/calibration.hpp"
 #include "core/error.hpp"
 #include "core/extent.hpp"
 #include "core/parallel.hpp"
@@ -19,7 +18,10 @@
 namespace asperity {
 namespace {
 
-using namespace calibration::stress;
+// Of an estimate: maxima below are left.
+constexpr double estimate_margin = 0.01, estimate_margin_of_waves = 0.05;
+constexpr double recurrence = 1e-9;  // of the value: round-off of a layer is 1e-13
+constexpr double same_place = 0.25;  // of the depth: maxima of two layers that are one
 
 // Half the longer side of the rectangle around the loaded cells.
 double loaded_radius(const LoadedBody& body) {
@@ -29,9 +31,9 @@ double loaded_radius(const LoadedBody& body) {
          std::max(static_cast<double>(x.count) * body.grid.dx, static_cast<double>(y.count) * body.grid.dy);
 }
 
-// From where it is asked, then rising by a ratio.
+// Depths of the scan, each √2 times the last.
 std::vector<double> scan_depths(const LoadedBody& body, double below) {
-  const double shallowest = scan_shallowest * std::min(body.grid.dx, body.grid.dy),
+  const double shallowest = StressSearch::shallowest * std::min(body.grid.dx, body.grid.dy),
                deepest = loaded_radius(body);
   std::vector<double> depths;
   if (below < shallowest) depths.push_back(below);
@@ -43,8 +45,8 @@ std::vector<double> scan_depths(const LoadedBody& body, double below) {
 // How many cells, a power of two, make up the widest that will do at this depth.
 Index width_at(double z, double spacing, Index n, bool periodic) {
   Index s = 1;
-  while (2.0 * static_cast<double>(s) * spacing * wide_cell_depth <= z && n >= 2 * s * least_wide_cells &&
-         !(periodic && n % (2 * s) != 0))
+  while (2.0 * static_cast<double>(s) * spacing * wide_cell_depth <= z &&
+         n >= 2 * s * Resolution::least_cells && !(periodic && n % (2 * s) != 0))
     s *= 2;
   return s;
 }
@@ -62,23 +64,15 @@ class Search {
 
   StressMaximum run() {
     const Grid& grid = body_.grid;
-    auto first_from = [&](double depth) {
-      return static_cast<std::size_t>(std::ranges::lower_bound(depths_, depth) - depths_.begin());
-    };
-    const bool tiles = ShallowSearch::possible(grid);
-    const std::size_t wide = tiles ? first_from(ShallowSearch::deepest(grid)) : 0,
-                      shallow = tiles ? first_from(ShallowSearch::shallowest(grid)) : 0;
-    for (std::size_t k = wide; k < depths_.size();) k = whole_layers(k, depths_.size());
-    for (std::size_t k = 0; k < shallow;) k = whole_layers(k, shallow);
-    if (shallow < wide) shallow_layers(std::vector<double>(at(shallow), at(wide)));
+    const auto deep = ShallowSearch::possible(grid)
+                          ? std::ranges::lower_bound(depths_, ShallowSearch::deepest(grid))
+                          : depths_.begin();
+    for (auto k = static_cast<std::size_t>(deep - depths_.begin()); k < depths_.size();) k = whole_layers(k);
+    shallow_layers({depths_.begin(), deep});
     return refined();
   }
 
  private:
-  std::vector<double>::const_iterator at(std::size_t k) const {
-    return depths_.begin() + static_cast<std::ptrdiff_t>(k);
-  }
-
   double known() const {
     double top = -std::numeric_limits<double>::infinity();
     for (const LayerMaximum& m : starts_) top = std::max(top, m.value);
@@ -91,14 +85,14 @@ class Search {
     return least_start(wanted_.of, cells, m.z, top);
   }
 
-  void tell(double depth, double value) {
+  void report(double depth, double value) {
     const auto expected = static_cast<Index>(depths_.size());
     ++layers_;
     if (on_layer_) on_layer_({layers_, std::max(layers_, expected), depth, value});
   }
 
-  // From layer k on those of the same cells, before the last, and where they end.
-  std::size_t whole_layers(std::size_t k, std::size_t last) {
+  // From layer k on those of the same cells, and where they end.
+  std::size_t whole_layers(std::size_t k) {
     const Grid& g = body_.grid;
     auto widths = [&](double z) {
       return std::pair{width_at(z, g.dx, g.shape.nx, g.periodic.x),
@@ -106,7 +100,7 @@ class Search {
     };
     const auto own = widths(depths_[k]);
     std::size_t end = k + 1;
-    while (end < last && widths(depths_[end]) == own) ++end;
+    while (end < depths_.size() && widths(depths_[end]) == own) ++end;
     const WiderCells wider = wider_cells(body_, own.first, own.second);
     const StressSolver solver(wider.body, solver_.threads());
     std::vector<std::vector<LayerMaximum>> found(end - k);
@@ -134,7 +128,7 @@ class Search {
     add_maxima(values, cells, 0, nx, 0, ny, least_start(wanted_.of, cells, z, top), z, out);
     if (out.empty()) out.push_back(largest_of(values, cells, Slabs(nx), z));  // all level
     const std::scoped_lock lock(mutex_);
-    tell(z, top);
+    report(z, top);
     return out;
   }
 
@@ -145,12 +139,12 @@ class Search {
       double top = 0;
       for (const LayerMaximum& m : found)
         if (m.z == z) top = std::max(top, m.value);
-      tell(z, top);
+      report(z, top);
     }
     starts_.insert(starts_.end(), found.begin(), found.end());
   }
 
-  // Whether a layer beside has a higher maximum at the same place.
+  // Whether the layer above or below has a higher maximum at the same place.
   bool on_a_slope(const LayerMaximum& m) const {
     const std::size_t k = layer_of(m.z);
     const Grid& g = body_.grid;

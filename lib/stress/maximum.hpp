@@ -1,31 +1,32 @@
 /// The largest stress below a loaded surface and where it lies.
 ///
 /// A smooth contact yields first at about half its radius below the surface, a rough one a few cells deep,
-/// and the layers of a volume may miss both. The search looks at the depth z_0 from which on it is asked, the
-/// surface unless told otherwise, and at geometric depths,
+/// and the layers of a volume may miss both. The search begins at a given depth z_0, by default the surface,
+/// and scans the geometric depths
 ///     z_k = max(¼ h, z_0) √2^k,  h = min(Δx, Δy),  down to half the longer side of the loaded region,  (1)
 /// for the local maxima of the layers: where z < 12 Δ, Δ = max(Δx, Δy), in the tiles of cells whose bound
-/// exceeds what was found (stress/shallow.hpp), below that on cells as wide as a third of the depth
-/// (stress/layer_maxima.hpp). Those that may lead above the largest (least_start) are refined at points of
-/// the field (stress/peak.hpp). From one longer side of a cell on, the maximum is that of the field at any
-/// place; above it, where the field shows the steps between the cells, that at their centres. Beyond the
-/// centres of the outermost cells of a free domain nothing is looked at.
+/// exceeds the largest value found so far (stress/shallow.hpp), deeper on cells as wide as a third of the
+/// depth (stress/layer_maxima.hpp). Maxima that may lead above the largest (least_start) are refined at
+/// points of the field (stress/peak.hpp). From one longer side of a cell on, the maximum is that of the field
+/// at any place; above it, where the field shows the steps between the cells, that at their centres. In a
+/// free domain the search ends at the centres of the outermost cells.
 ///
 /// The surface bears most at the trailing edge of a sliding contact (von Mises, Hertz, ν = 0.3, from μ =
 /// 0.305 on), at a long cylinder's or a wave's middle where ν is small (below 0.19 and 0.15), and at the
 /// edge of a Hertz contact where ν < -0.34; the largest tension lies there, too, with friction or without.
 ///
-/// Accuracy  of the search, of the problem of the cells: 1e-6 of the value. So beside an earlier search in
-///           420 random bodies (caps, rough patches, single cells; 24 to 128 cells a side, cells 1 : 20 to
-///           20 : 1 long, free and periodic, all criteria, with friction and limit pressures); one, which is
-///           periodic, has a maximum 1.5 % higher that both miss. What least_start allows is experience.
-/// Cost      one thread, below a rough contact (exponential, 0.4 μm, 3 mm): about the contact's time, at a
-///           limit pressure with its many nearly equal maxima twice. Memory: 6 doubles a cell, the
-///           pressure's among them. Grids below 64 cells a side, cells longer than twice their width, and
-///           periods that are no multiple of four take whole layers, of the full cells above 6 Δ; so does a
-///           load periodic in both directions above Δ. Where cells repeat along one axis alone a point
-///           takes 20 μs a loaded cell (stress/points.hpp); along both, 27 ms at 1024² cells. Maxima that
-///           recur are refined once.
+/// Accuracy  of the search, for the problem of the cells: 1e-6 of the value, seen in 420 random bodies (caps,
+///           rough patches, single cells; 24 to 128 cells a side, cells 1 : 20 to 20 : 1 long, free and
+///           periodic, all criteria, with friction and limit pressures). What least_start allows is
+///           experience, not a bound.
+/// Cost      one thread: below a rough contact (exponential, 0.4 μm, 3 mm) about the contact's time, at a
+///           limit pressure, with its many nearly equal maxima, twice that. Memory: 6 doubles a cell, the
+///           pressure's among them; 14 where whole layers are scanned: below 64 cells a side, for cells
+///           longer than twice their width, for a load that repeats along both axes, and for one that
+///           repeats along one by no multiple of four. Above 6 Δ these are layers of the full cells. Where
+///           cells repeat along one axis a point takes 20 μs a loaded cell (stress/points.hpp); along both 27
+///           ms at 1024² cells, so that many nearly equal maxima, as at a limit pressure, take 6 s there.
+///           Maxima that recur are refined once.
 #pragma once
 
 #include <functional>
@@ -48,9 +49,10 @@ void equivalent_stress(Criterion of, const StressRow& stress, std::span<double> 
 
 struct StressSearch {
   Criterion of = Criterion::von_mises;
-  double below = 0;  ///< nothing above this depth is looked at [m]
+  double below = 0;  ///< depth from which on the search looks [m]
 
   static constexpr double deepest = 0.1 * farthest;
+  static constexpr double shallowest = 0.25;  ///< of a cell: the first layer below the surface
 
   /// Throws ParameterError("below") unless 0 ≤ below ≤ deepest.
   void check() const;

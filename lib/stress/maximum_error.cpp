@@ -2,16 +2,62 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
-#include "core/calibration.hpp"
 #include "math/grid_change.hpp"
-#include "stress/edge.hpp"
+#include "stress/equivalent.hpp"
 
 namespace asperity {
+namespace {
+
+// (1), (2): validation/contact_grid_error.
+constexpr double value_share = 0.28;    // of m
+constexpr double shallow_share = 0.03;  // of the value, times min(1, (h/z)²)
+constexpr double error_of_search = 2e-5, depth_of_search = 5e-4;
+constexpr double depth_share = 0.275,
+                 depth_share_at_limit = 0.41;  // of m, times the root of the depth in cells
+constexpr double floor_of_depth = 0.1;         // of the second difference
+constexpr double near_plastic = 0.1;           // of the value above 2h below a limit pressure
+
+// Of the largest pressure: the edge of cells is a stair, tests/stress/edge.cpp.
+constexpr double edge_stairs = 0.015;
+
+// Of the surface in the plane stress σxx, σyy.
+double value_of(Criterion of, double xx, double yy) {
+  const stress::Tensor s{xx, yy, 0, 0, 0, 0};
+  switch (of) {
+    case Criterion::von_mises:
+      return von_mises(s);
+    case Criterion::max_shear:
+      return max_shear_stress(s);
+    case Criterion::principal:
+      return principal_stress(s).value[0];
+  }
+  return 0;
+}
+
+}  // namespace
+
+double edge_stress(Criterion of, double poisson, double friction) {
+  const double rest = (1 - 2 * poisson) / 3, slip = std::numbers::pi * friction / 8;
+  return std::max(value_of(of, rest + (4 + poisson) * slip, -rest + 3 * poisson * slip),
+                  value_of(of, 2 * friction, 2 * poisson * friction));
+}
+
+double edge_error(const StressMaximum& maximum, Criterion of, const LoadedBody& body,
+                  bool at_limit_pressure) {
+  const bool has_edge = !body.grid.periodic.both() || (body.pressure == 0).any();
+  if (!has_edge) return 0;
+  const bool bears = body.friction.coefficient > 0 || of == Criterion::principal;
+  if (at_limit_pressure) return bears ? std::numeric_limits<double>::quiet_NaN() : 0;
+  const double largest = body.pressure.maxCoeff(),
+               missing = edge_stress(of, body.poisson, body.friction.coefficient) * largest - maximum.value;
+  return missing > 0 ? missing + edge_stairs * largest : 0;
+}
 
 StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaximum, 3>& maxima,
                             const StressSearch& search, bool at_limit_pressure) {
-  namespace share = calibration::grid_error;
   const auto& [fine, half, quarter] = maxima;
   const double h = std::min(body.grid.dx, body.grid.dy);
   const double cells = std::max(1.0, fine.depth / h);
@@ -21,15 +67,13 @@ StressMaximum maximum_error(const LoadedBody& body, const std::array<StressMaxim
     out.value = out.depth = edge;
     return out;
   }
-  out.value =
-      std::max({share::maximum_stress * grid_change(fine.value, half.value, quarter.value),
-                share::shallow_stress / (cells * cells) * fine.value, share::search * fine.value, edge});
-  const double of_change = (at_limit_pressure ? share::depth_at_limit : share::depth) * std::sqrt(cells);
-  out.depth =
-      std::max({of_change * grid_change(fine.depth, half.depth, quarter.depth, share::floor_of_depth),
-                share::depth_of_search * fine.depth, calibration::stress::scan_shallowest * h - fine.depth});
+  out.value = std::max({value_share * grid_change(fine.value, half.value, quarter.value),
+                        shallow_share / (cells * cells) * fine.value, error_of_search * fine.value, edge});
+  const double of_change = (at_limit_pressure ? depth_share_at_limit : depth_share) * std::sqrt(cells);
+  out.depth = std::max({of_change * grid_change(fine.depth, half.depth, quarter.depth, floor_of_depth),
+                        depth_of_search * fine.depth, StressSearch::shallowest * h - fine.depth});
   if (at_limit_pressure && fine.depth < 2 * h) {
-    out.value += share::near_plastic * fine.value;
+    out.value += near_plastic * fine.value;
     out.depth += fine.depth;
   }
   return out;

@@ -4,28 +4,26 @@
 #include <cmath>
 #include <memory>
 
-#include "core/calibration.hpp"
-#include "stress/layers.hpp"
+#include "stress/layer_maxima.hpp"
 
 namespace asperity {
 namespace {
 
-using namespace calibration::stress;
 using stress::Component;
 using stress::Tensor;
 using Vector = std::array<double, 3>;
 
-constexpr Index window = 24;                  // cells along a side
-constexpr double point_step = 0.03;           // of the depth, between the points of a quadratic
-constexpr double widest = 0.5;                // of the depth, from its middle
-constexpr double coarse = 0.02, fine = 2e-5;  // of the depth, last steps
-constexpr double settled = 2e-8;              // of the value
+constexpr Index window_side = 24;               // cells along a side
+constexpr double point_step = 0.03;             // of the depth, between the points of a quadratic
+constexpr double widest = 0.5;                  // of the depth, from its middle
+constexpr double coarse = 0.02, finest = 2e-5;  // of the depth, last steps
+constexpr double settled = 2e-8;                // of the value
 constexpr int most_rounds = 24;
 
 // How many cells make up one as wide as a third of the depth, of windows of at most twice the domain.
 Index width_at(double z, double spacing, Index n) {
   Index s = 1;
-  while (2 * wide_cell_depth * static_cast<double>(s) * spacing <= z && window * s < 2 * n) s *= 2;
+  while (2 * wide_cell_depth * static_cast<double>(s) * spacing <= z && window_side * s < 2 * n) s *= 2;
   return s;
 }
 
@@ -33,43 +31,12 @@ Index cell_at(double place, double spacing, Index n) {
   return static_cast<Index>(std::floor(place / spacing + 0.5 * static_cast<double>(n)));
 }
 
-// The cells s about one along an axis of which a wide one is the mean.
-struct Along {
-  Index s, first;
-  double middle;  // of the window [m]
-  Along(double place, double z, double spacing, Index n)
-      : s(width_at(z, spacing, n)), first(cell_at(place, spacing, n) - window / 2 * s) {
-    middle = (static_cast<double>(first + window / 2 * s) - 0.5 * static_cast<double>(n)) * spacing;
-  }
-};
-
-LoadedBody window_of(const LoadedBody& body, const Along& x, const Along& y) {
-  const Grid& g = body.grid;
-  const auto [nx, ny] = g.shape;
-  Field p = Field::Zero(window, window);
-  for (Index i = 0; i < window * x.s; ++i) {
-    Index m = x.first + i;
-    if (g.periodic.x) m = (m % nx + nx) % nx;
-    if (m < 0 || m >= nx) continue;
-    for (Index j = 0; j < window * y.s; ++j) {
-      Index n = y.first + j;
-      if (g.periodic.y) n = (n % ny + ny) % ny;
-      if (n >= 0 && n < ny) p(i / x.s, j / y.s) += body.pressure(m, n);
-    }
-  }
-  p /= static_cast<double>(x.s * y.s);
-  return {{{window, window}, static_cast<double>(x.s) * g.dx, static_cast<double>(y.s) * g.dy},
-          p,
-          body.poisson,
-          body.friction};
-}
-
 }  // namespace
 
 // The stress about a place: the window's, and what the field has beyond it.
 class PeakFinder::Model {
  public:
-  // At the place alone; `quadratic` adds points beside it.
+  // At the place alone; `quadratic` adds points around it.
   Model(const PeakFinder& of, const StressPlace& at, bool centred)
       : of_(of),
         along_x_(at.x, at.z, of.body_.grid.dx, of.body_.grid.shape.nx),
@@ -128,6 +95,37 @@ class PeakFinder::Model {
   bool centred() const { return centred_; }
 
  private:
+  // Cells along an axis, s of which make a wide one of the window.
+  struct Along {
+    Index s, first;
+    double middle;  // of the window [m]
+    Along(double place, double z, double spacing, Index n)
+        : s(width_at(z, spacing, n)), first(cell_at(place, spacing, n) - window_side / 2 * s) {
+      middle = (static_cast<double>(first + window_side / 2 * s) - 0.5 * static_cast<double>(n)) * spacing;
+    }
+  };
+
+  static LoadedBody window_of(const LoadedBody& body, const Along& x, const Along& y) {
+    const Grid& g = body.grid;
+    const auto [nx, ny] = g.shape;
+    Field p = Field::Zero(window_side, window_side);
+    for (Index i = 0; i < window_side * x.s; ++i) {
+      Index m = x.first + i;
+      if (g.periodic.x) m = wrapped(m, nx);
+      if (m < 0 || m >= nx) continue;
+      for (Index j = 0; j < window_side * y.s; ++j) {
+        Index n = y.first + j;
+        if (g.periodic.y) n = wrapped(n, ny);
+        if (n >= 0 && n < ny) p(i / x.s, j / y.s) += body.pressure(m, n);
+      }
+    }
+    p /= static_cast<double>(x.s * y.s);
+    return {{{window_side, window_side}, static_cast<double>(x.s) * g.dx, static_cast<double>(y.s) * g.dy},
+            p,
+            body.poisson,
+            body.friction};
+  }
+
   Tensor near_at(double x, double y, double z) const {
     return window_.at(x - along_x_.middle, y - along_y_.middle, z);
   }
@@ -164,7 +162,7 @@ double PeakFinder::at_centre(double place, double length, double spacing, Index 
   return (static_cast<double>(cell) + 0.5) * spacing - 0.5 * length;
 }
 
-// By steps to the highest of the 26 places beside, smaller where there is none; no farther from the middle
+// By steps to the highest of the 26 neighbours, smaller where there is none; no farther from the middle
 // than `range` times the depth, inside the outermost centres where the domain is free.
 StressPlace PeakFinder::largest_of(const Model& m, const StressPlace& from, double range, double last) const {
   const Grid& g = body_.grid;
@@ -244,12 +242,12 @@ StressPlace PeakFinder::refined(const StressPlace& from, bool centred, double go
   auto model = std::make_unique<Model>(*this, within(from, centred), centred);
   model->quadratic();
   double range = widest;
-  for (int round = 0; round < most_rounds && range >= fine; ++round) {
+  for (int round = 0; round < most_rounds && range >= finest; ++round) {
     const StressPlace& here = model->place();
     const double level = settled * std::abs(here.value), scale = model->scale(), x = here.x, y = here.y,
                  z = here.z;
-    StressPlace next = largest_of(*model, here, range, fine);
-    if (round == 0 && !centred) next = largest_of(*model, largest_beside(*model, next), range, fine);
+    StressPlace next = largest_of(*model, here, range, finest);
+    if (round == 0 && !centred) next = largest_of(*model, largest_beside(*model, next), range, finest);
     if (next.value + 2e-3 * std::abs(next.value) < goal || next.value - here.value <= level) break;
     auto ahead = std::make_unique<Model>(*this, next, centred);
     const double value = ahead->place().value;

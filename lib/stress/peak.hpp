@@ -1,9 +1,9 @@
-/// The largest stress near a place: what a scan of layers found, refined at points of the field.
+/// The largest stress near a place that the scan of layers found, refined at points of the field.
 ///
 /// About a place the field is that of a window of 24 × 24 cells, as wide as a third of the depth, with a
 /// quadratic in x, y and z for what other cells add: it meets the field of stress/points.hpp at seven
-/// points, 0.03 of the depth apart. Its maximum, found by steps to the highest of 26 places beside, is the
-/// next place, until the field has there what was foretold. Above the depth of one longer side of a cell
+/// points, 0.03 of the depth apart. Its maximum, found by steps to the highest of 26 neighbours, is the
+/// next place, until the field there has the predicted value. Above the depth of one longer side of a cell
 /// the field shows the steps of the pressure between the cells: there only the columns through the cells'
 /// centres count, and places move from one to the next.
 ///
@@ -11,19 +11,19 @@
 /// Cost      8 to 25 points of the field, some 600 of a window, 15 to 40 µs each.
 #pragma once
 
-#include "stress/cell_sum.hpp"
 #include "stress/maximum.hpp"
+#include "stress/points.hpp"
 
 namespace asperity {
 
-/// Where a stress is how large.
+/// A stress and its place [m].
 struct StressPlace {
   double value = 0, x = 0, y = 0, z = 0;
 };
 
 class PeakFinder {
  public:
-  /// Above `below` [m] nothing is looked at. The body is kept by reference.
+  /// The search ends above the depth `below` [m]. The body is kept by reference.
   PeakFinder(const LoadedBody& body, Criterion of, double below, int threads);
 
   /// The maximum about a place; or a lower value where that maximum will not exceed `goal`.

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "stress/corner.hpp"
 #include "stress/images.hpp"
 #include "stress/influence.hpp"
-#include "stress/wave.hpp"
 
 namespace asperity {
 namespace {
@@ -19,18 +19,20 @@ using stress::Component;
 using stress::Tensor;
 using stress::Traction;
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double on_a_side = 1e-9;        // of a side: coordinates have this much round-off
 constexpr double step_that_shows = 1e-3;  // of the largest pressure: times ln(1e9)/π, 0.7 % of it
 constexpr double faded = 40;              // qz of a mode of which (1 + qz) e^-qz = 2e-16 is left
 constexpr double uniform = 1e-14;         // of the mean of a row
+constexpr Index most_rows = 8;            // of corners at once
+constexpr double off_corner = 1e-30;      // of a corner: on it an arc tangent is that of 0/0
+constexpr double corners_cancel = 100;    // cells of depth, times the root of those loaded
 
 // exp(i 2π k share) for k = 0 … n/2; of k = n/2 half, for its two directions.
 std::vector<Complex> waves(Index n, double share) {
   std::vector<Complex> out(size(n / 2 + 1));
   for (Index k = 0; k <= n / 2; ++k)
-    out[size(k)] =
-        std::polar(2 * k == n ? 0.5 : 1.0, two_pi * std::remainder(static_cast<double>(k) * share, 1));
+    out[size(k)] = std::polar(2 * k == n ? 0.5 : 1.0,
+                              2 * std::numbers::pi * std::remainder(static_cast<double>(k) * share, 1));
   return out;
 }
 
@@ -202,14 +204,80 @@ Tensor StressPoints::below_waves(double x, double y, double z) const {
     const Complex* p = modes_->pressure(ky / width) + ky % width * stride;
     const Complex across = (ky == 0 ? 1.0 : 2.0) * along_y[size(ky)];  // with (-kx, -ky)
     for (Index kx = 0; kx <= nx / 2; ++kx) {
-      const stress::Wave wave{two_pi * static_cast<double>(kx) / grid.size_x(),
-                              two_pi * static_cast<double>(ky) / grid.size_y(), z, body_.poisson};
+      const stress::Wave wave{2 * std::numbers::pi * static_cast<double>(kx) / grid.size_x(),
+                              2 * std::numbers::pi * static_cast<double>(ky) / grid.size_y(), z,
+                              body_.poisson};
       if (wave.q * z > faded) break;
       const Complex ahead = p[kx] * along_x[size(kx)] * across,
                     back = kx == 0 ? Complex{} : p[nx - kx] * std::conj(along_x[size(kx)]) * across;
       add({ahead + back, ahead - back}, wave, weights_, sum);
     }
   }
+  return sum;
+}
+
+CellSum::CellSum(LoadedBody body, int threads)
+    : grid_(body.grid),
+      poisson_(body.poisson),
+      deepest_(corners_cancel * std::min(grid_.dx, grid_.dy) *
+               std::sqrt(static_cast<double>((body.pressure != 0).count()))),
+      weights_(body.friction.weights()),
+      points_(std::move(body), threads) {
+  if (grid_.periodic.any()) return;
+  const auto [nx, ny] = grid_.shape;
+  const Field& load = points_.body().pressure;
+  auto p = [&](Index i, Index j) { return i >= 0 && j >= 0 && i < nx && j < ny ? load(i, j) : 0.0; };
+  for (Index i = 0; i <= nx; i += corner_lanes)
+    for (Index j = 0; j <= ny; j += most_rows) {
+      const Index rows = std::min(most_rows, ny + 1 - j), i0 = std::max(i - 1, Index{0}),
+                  j0 = std::max(j - 1, Index{0});
+      if ((load.block(i0, j0, std::min(i + corner_lanes, nx) - i0, std::min(j + rows, ny) - j0) == 0).all())
+        continue;
+      blocks_.push_back({i, j, rows, twists_.size()});
+      for (Index n = j; n < j + rows; ++n)
+        for (Index m = i; m < i + corner_lanes; ++m)
+          twists_.push_back(p(m, n) - p(m - 1, n) - p(m, n - 1) + p(m - 1, n - 1));
+    }
+}
+
+void CellSum::add(const Block& b, double x, double y, double z, Tensor& sum) const {
+  double X[corner_lanes], Y[most_rows], values[3][6][corner_lanes * most_rows],
+      signed_twists[4][corner_lanes * most_rows];
+  double x_sign[corner_lanes];
+  double* out[3][6];
+  for (Traction t : stress::tractions)
+    for (Component c : stress::components) out[t][c] = weights_[t] == 0 ? nullptr : values[t][c];
+  for (Index l = 0; l < corner_lanes; ++l) {
+    const double at = x / grid_.dx + 0.5 * static_cast<double>(grid_.shape.nx) - static_cast<double>(b.i + l);
+    X[l] = std::max(std::abs(at), off_corner), x_sign[l] = at < 0 ? -1 : 1;
+  }
+  // By what turns the sign of a function: neither axis, y, x, both.
+  const double* twist = twists_.data() + b.twists;
+  for (Index j = 0; j < b.rows; ++j) {
+    const double at = (y + 0.5 * grid_.size_y() - static_cast<double>(b.j + j) * grid_.dy) / grid_.dx,
+                 y_sign = at < 0 ? -1 : 1;
+    Y[j] = std::abs(at);
+    for (Index l = 0; l < corner_lanes; ++l) {
+      const Index k = corner_lanes * j + l;
+      signed_twists[0][k] = twist[k], signed_twists[1][k] = y_sign * twist[k];
+      signed_twists[2][k] = x_sign[l] * twist[k], signed_twists[3][k] = x_sign[l] * y_sign * twist[k];
+    }
+  }
+  corner_tile(X, Y, b.rows, z / grid_.dx, poisson_, out);
+  using Vector = Eigen::Map<const Eigen::VectorXd>;
+  for (Traction t : stress::tractions)
+    for (Component c : stress::components)
+      if (weights_[t] != 0)
+        sum[c] += weights_[t] * Vector(out[t][c], corner_lanes * b.rows)
+                                    .dot(Vector(signed_twists[2 * !odd_in_x(c, t) + !odd_in_y(c, t)],
+                                                corner_lanes * b.rows));
+}
+
+Tensor CellSum::at(double x, double y, double z) const {
+  if (grid_.periodic.any() || z > deepest_) return points_.at(x, y, z);
+  Tensor sum{};
+  for (const Block& b : blocks_) add(b, x, y, z, sum);
+  for (double& s : sum) s /= 2 * std::numbers::pi;
   return sum;
 }
 

@@ -27,6 +27,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "stress/load.hpp"
 #include "stress/resolution.hpp"
@@ -57,12 +58,43 @@ class StressPoints {
   stress::Tensor of_cell(double x, double y, double z, double a, double b) const;
   stress::Tensor of_images(const Axis& along, Index cell, double across, double z) const;
   stress::Tensor below_waves(double x, double y, double z) const;
-  double pressure_at(Index i, Index j) const;  ///< 0 beside the grid
+  double pressure_at(Index i, Index j) const;  ///< 0 outside the grid
   double mean_at(Index k) const;               ///< likewise, across
 
   LoadedBody body_;
   LoadWeights weights_;
   std::optional<Resolution> modes_;  ///< of a periodic load
+};
+
+/// The same of a free load, much faster, for the many points of a search.
+///
+/// The sum (1) over the corners of the cells, each corner function times the twist of the pressures about it
+/// (stress/influence.hpp), by the vector forms of stress/corner.hpp; corners without a twist are left out.
+/// Where corners cancel, deeper than 100 √m cells below m that are loaded, and below loads that repeat, it is
+/// StressPoints that sums.
+///
+/// Accuracy  1e-10 of the stress below the load.
+/// Cost      11 to 30 ns a corner; one double a corner.
+class CellSum {
+ public:
+  explicit CellSum(LoadedBody body, int threads = 1);
+
+  stress::Tensor at(double x, double y, double z) const;
+
+ private:
+  /// Rows of eight corners, at least one with a twist.
+  struct Block {
+    Index i, j, rows;  ///< of the first corner
+    std::size_t twists;
+  };
+  void add(const Block& block, double x, double y, double z, stress::Tensor& sum) const;
+
+  Grid grid_;
+  double poisson_, deepest_;
+  LoadWeights weights_;
+  StressPoints points_;
+  std::vector<Block> blocks_;
+  std::vector<double> twists_;  ///< [block][row][8]
 };
 
 }  // namespace asperity

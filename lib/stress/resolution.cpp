@@ -4,14 +4,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/calibration.hpp"
 #include "transform/convolution.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr Index width = PrunedTransform::width, around = Interpolation::taps / 2;
-using namespace calibration::stress;
+constexpr Index around = Interpolation::taps / 2;
+constexpr double depth_of_wide_cells =
+    5;                            // in sides: tests/stress/layers.cpp, validation/stress_request_time
+constexpr Index least_taper = 8;  // lags over which a kernel decays to 0
 
 Index points(Index cells, Index s) { return (cells + s - 1) / s; }
 
@@ -28,21 +29,21 @@ Shape torus_of(const Grid& grid, Index s) {
 }
 
 // 1 for the first lags, then down to 0 at `lags`.
-std::vector<double> tapered(Index whole, Index lags) {
+std::vector<double> tapered(Index kept, Index lags) {
   constexpr int steps = 16;
   std::vector<double> out(size(lags), 1.0);
-  const Index taper = lags - whole;
+  const Index taper = lags - kept;
   const double beta = 0.5 * std::numbers::pi * static_cast<double>(taper);
   double sum = 0;
-  for (Index i = lags - 1; i >= whole; --i) {
+  for (Index i = lags - 1; i >= kept; --i) {
     for (int k = 0; k < steps; ++k) {
       const double u =
-          2 * (static_cast<double>(i - whole) + (k + 0.5) / steps) / static_cast<double>(taper) - 1;
+          2 * (static_cast<double>(i - kept) + (k + 0.5) / steps) / static_cast<double>(taper) - 1;
       sum += std::exp(beta * (std::sqrt(1 - u * u) - 1));
     }
     out[size(i)] = sum;
   }
-  for (Index i = whole; i < lags; ++i) out[size(i)] /= sum;
+  for (Index i = kept; i < lags; ++i) out[size(i)] /= sum;
   return out;
 }
 
@@ -73,12 +74,12 @@ AlignedVector<Complex> transformed(const LoadedBody& body, Index s, const Pruned
   const Extent own = transform.own_blocks();
   AlignedVector<Complex> spectrum(size(own.count * transform.block_size()));
   fine.each_block(half, transform.blocks(), threads, [&, px = px](Index b, const Complex* block) {
-    for (Index q = 0; q < width && b * width + q < transform.columns(); ++q) {
+    for (Index q = 0; q < block_columns && b * block_columns + q < transform.columns(); ++q) {
       const Complex* p = block + q * fine.stride();
       Complex* out = spectrum.data() + (b - own.first) * transform.block_size() + q * transform.stride();
       for (Index k = 0; k < px; ++k)
         out[k] = p[2 * k < px ? k : k + (s - 1) * px] *
-                 (along_x[size(std::min(k, px - k))] * along_y[size(b * width + q)]);
+                 (along_x[size(std::min(k, px - k))] * along_y[size(b * block_columns + q)]);
     }
   });
   return spectrum;
@@ -92,7 +93,7 @@ double Resolution::least_depth(const Grid& grid, Index s) {
 
 bool Resolution::possible(const Grid& grid, Index s) {
   const auto [nx, ny] = grid.shape;
-  return std::min(nx, ny) >= least_wide_cells * s && !(grid.periodic.x && nx % s != 0) &&
+  return std::min(nx, ny) >= least_cells * s && !(grid.periodic.x && nx % s != 0) &&
          !(grid.periodic.y && ny % s != 0);
 }
 

@@ -23,6 +23,9 @@
 
 namespace asperity {
 
+/// Columns ky in a block of a spectrum.
+inline constexpr Index block_columns = PrunedTransform::width;
+
 struct Resolution {
   /// s = 1: the cells as they are. Of several ranks each has its share of the spectrum's blocks.
   Resolution(const LoadedBody& body, Index s, int threads);
@@ -30,12 +33,13 @@ struct Resolution {
   /// From which depth on, and whether at all, cells s times as large will do [m].
   static double least_depth(const Grid& grid, Index s);
   static bool possible(const Grid& grid, Index s);
+  static constexpr Index least_cells = 16;  ///< wide ones, along each side of the grid
 
   /// Block b of the spectrum of the pressure, prepared for a product with the influence of `cells`.
   const Complex* pressure(Index b) const {
     return spectrum.data() + (b - transform.own_blocks().first) * transform.block_size();
   }
-  /// Samples of a row, with room for what stands before and behind them on the torus.
+  /// Samples of a row, with room for their neighbours on the torus at both ends.
   Index row_length() const { return transform.torus().ny + 2 * PrunedTransform::width; }
   /// Fills that room; the samples begin at Interpolation::before.
   void wrap(std::span<double> row) const;

@@ -29,8 +29,6 @@ namespace {
 
 using stress::Component;
 
-constexpr Index width = LayerInfluence::width;
-
 LoadedBody exchanged(const LoadedBody& body) {
   const Grid& g = body.grid;
   const Friction& f = body.friction;
@@ -79,22 +77,22 @@ struct SectionPlan : LayerPlan {
     lag_count = body.grid.periodic.both()           ? px / 2 + 1
                 : s > 1 || body.grid.periodic.any() ? resolution.cells.shape.nx
                                                     : farthest_lag(body, i);
-    for (Folded& folded : folded_) folded.resize(size(t.own_blocks().count * lag_count * 2 * width));
+    for (Folded& folded : folded_) folded.resize(size(t.own_blocks().count * lag_count * 2 * block_columns));
     fold(phases(resolution, i), threads);
   }
 
   std::unique_ptr<LayerWork> work(int threads) const override;
 
   // sum[0 … 7] += Re, sum[8 … 15] += Im of Σ_m f(m, ky) D±(m, ky) for the columns 8b … 8b+7, f as [m][8].
-  void add(std::span<const double> f, bool odd, Index b, std::span<double, 2 * width> sum) const {
-    using Lanes = Eigen::Array<double, width, 1>;
+  void add(std::span<const double> f, bool odd, Index b, std::span<double, 2 * block_columns> sum) const {
+    using Lanes = Eigen::Array<double, block_columns, 1>;
     using Given = Eigen::Map<const Lanes>;
-    Eigen::Map<Lanes> to_re(sum.data()), to_im(sum.data() + width);
+    Eigen::Map<Lanes> to_re(sum.data()), to_im(sum.data() + block_columns);
     Lanes re = to_re, im = to_im;
     const double *value_at = f.data(), *d = folded_[odd].data() + place(b);
-    for (Index m = 0; m < lag_count; ++m, value_at += width, d += 2 * width) {
+    for (Index m = 0; m < lag_count; ++m, value_at += block_columns, d += 2 * block_columns) {
       const Lanes value = Given(value_at);
-      re += value * Given(d), im += value * Given(d + width);
+      re += value * Given(d), im += value * Given(d + block_columns);
     }
     to_re = re, to_im = im;
   }
@@ -106,12 +104,12 @@ struct SectionPlan : LayerPlan {
   void fold(const AlignedVector<Complex>& phases, int threads) {
     const PrunedTransform& t = resolution.transform;
     const Index px = t.torus().nx, stride = t.stride();
-    const ColumnTransform columns(px, width, Ways::forward_only);
+    const ColumnTransform columns(px, block_columns, Ways::forward_only);
     const Extent own = t.own_blocks();
     parallel_ranges(own.count, threads, [&](Index begin, Index end, int) {
       AlignedVector<Complex> modes(size(t.block_size())), lags(modes.size());
       for (Index b = own.first + begin; b < own.first + end; ++b) {
-        for (Index q = 0; q < width; ++q)
+        for (Index q = 0; q < block_columns; ++q)
           for (Index k = 0; k < px; ++k)
             modes[size(q * stride + k)] = resolution.pressure(b)[q * stride + k] * phases[size(k)];
         if (resolution.cells.periodic.both()) {
@@ -126,7 +124,7 @@ struct SectionPlan : LayerPlan {
 
   void fold_modes(std::span<const Complex> block, Index b) {
     const Index n = resolution.transform.torus().nx;
-    for (Index q = 0; q < width; ++q) {
+    for (Index q = 0; q < block_columns; ++q) {
       const auto modes = block.subspan(size(q * resolution.transform.stride()));
       for (Index k = 0; k < lag_count; ++k) {
         const bool alone = k == 0 || 2 * k == n;
@@ -141,7 +139,7 @@ struct SectionPlan : LayerPlan {
   // P± as it is, for kernels that are differences already (stress/images.hpp).
   void fold_images(std::span<const Complex> block, Index b) {
     const Index n = resolution.transform.torus().nx;
-    for (Index q = 0; q < width; ++q) {
+    for (Index q = 0; q < block_columns; ++q) {
       const auto lags = block.subspan(size(q * resolution.transform.stride()));
       for (Index m = 0; m < lag_count; ++m) {
         const bool alone = m == 0 || 2 * m == n;
@@ -155,7 +153,7 @@ struct SectionPlan : LayerPlan {
   void fold_lags(std::span<const Complex> block, Index b) {
     const Index n = resolution.transform.torus().nx;
     const std::vector<double>& taper = resolution.taper[0];
-    for (Index q = 0; q < width; ++q) {
+    for (Index q = 0; q < block_columns; ++q) {
       const auto lags = block.subspan(size(q * resolution.transform.stride()));
       for (double sign : {1.0, -1.0}) {
         auto seen = [&](Index m) {
@@ -167,10 +165,12 @@ struct SectionPlan : LayerPlan {
     }
   }
 
-  Index place(Index b) const { return (b - resolution.transform.own_blocks().first) * lag_count * 2 * width; }
+  Index place(Index b) const {
+    return (b - resolution.transform.own_blocks().first) * lag_count * 2 * block_columns;
+  }
   void set(bool odd, Index b, Index m, Index q, Complex value) {
-    double* to = folded_[odd].data() + place(b) + m * 2 * width + q;
-    to[0] = value.real(), to[width] = value.imag();
+    double* to = folded_[odd].data() + place(b) + m * 2 * block_columns + q;
+    to[0] = value.real(), to[block_columns] = value.imag();
   }
 
   std::array<Folded, 2> folded_;  // even, odd
@@ -184,8 +184,8 @@ class SectionWork : public LayerWork {
         influence_(plan.influence(threads)),
         transform_(plan.resolution.transform.torus().ny),
         row_work_(transform_.work()),
-        modes_(size(transform_.blocks() * 6 * width)),
-        own_modes_(size(own_blocks().count * 6 * width)),
+        modes_(size(transform_.blocks() * 6 * block_columns)),
+        own_modes_(size(own_blocks().count * 6 * block_columns)),
         samples_(size(6 * plan.resolution.row_length())) {}
 
   void layer(double z, stress::Set asked, const StressRowSink& row, const BehindRows&) override {
@@ -196,7 +196,7 @@ class SectionWork : public LayerWork {
     for (Component c : stress::components)
       if (asked_[c]) compute_modes(c, count++);
     std::ranges::copy(gathered(plan_.rows.ranks(), own_modes_), modes_.begin());
-    transform_.inverse(modes_.data(), 6 * width, count, transform_.points(),
+    transform_.inverse(modes_.data(), 6 * block_columns, count, transform_.points(),
                        samples_.data() + Interpolation::before, plan_.resolution.row_length(), row_work_);
     StressRow values{};
     count = 0;
@@ -225,7 +225,8 @@ class SectionWork : public LayerWork {
   void compute_modes(Component c, Index r) {
     influence_->set_component(c);
     parallel_ranges(own_blocks().count, threads_, [&](Index begin, Index end, int worker) {
-      for (Index k = begin; k < end; ++k) add_modes(c, k, worker, own_modes_.data() + (6 * k + r) * width);
+      for (Index k = begin; k < end; ++k)
+        add_modes(c, k, worker, own_modes_.data() + (6 * k + r) * block_columns);
     });
   }
 
@@ -233,13 +234,14 @@ class SectionWork : public LayerWork {
   void add_modes(Component c, Index k, int worker, Complex* to) const {
     const LoadWeights& weights = plan_.weights;
     const Index b = own_blocks().first + k;
-    std::fill_n(to, width, Complex{});
+    std::fill_n(to, block_columns, Complex{});
     for (stress::Traction t : stress::tractions) {
       if (weights[t] == 0) continue;
-      std::array<double, 2 * width> sum{};
+      std::array<double, 2 * block_columns> sum{};
       plan_.add(influence_->by_lags(t, b, worker), odd_in_x(c, t), b, sum);
       const Complex factor = odd_in_y(c, t) ? Complex{0, -weights[t]} : Complex{weights[t], 0};
-      for (std::size_t q = 0; q < width; ++q) to[q] += factor * Complex{sum[q], sum[width + q]};
+      for (std::size_t q = 0; q < block_columns; ++q)
+        to[q] += factor * Complex{sum[q], sum[block_columns + q]};
     }
   }
 

@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "core/parallel.hpp"
-#include "stress/far_stress.hpp"
-#include "stress/near_kernel.hpp"
+#include "stress/kernel_split.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {
@@ -22,7 +21,7 @@ constexpr Index batch = 16;            // tiles between two looks at the largest
 
 constexpr double none = -std::numeric_limits<double>::infinity();
 
-// One depth: what tiles need of it.
+// Precomputed for one depth.
 struct Depth {
   double z;
   std::array<AlignedVector<Complex>, 6> near;  // spectra of w K
@@ -42,8 +41,6 @@ double rise_between(double before, double top, double behind) {
   const double slope = 0.5 * (behind - before), bend = before - 2 * top + behind;
   return bend < 0 ? -0.5 * slope * slope / bend : 0;
 }
-
-Index wrapped(Index i, Index n) { return (i % n + n) % n; }
 
 class Tiles {
  public:
@@ -222,13 +219,13 @@ void Tiles::look(const Tile& t, double least, Work& work) const {
   load(t, work);
   const Index rows = std::min(tile_side, nx - t.i), columns = std::min(tile_side, ny - t.j);
   constexpr Index side = tile_side + 2;
-  // A layer, and those beside it; without any where the bound leaves one out.
+  // Empty where the bound leaves a layer out.
   std::vector<Field> layers(depths_.size());
   for (std::size_t k = 0; k < depths_.size(); ++k) {
     if (bound(t, depths_[k]) < start(depths_[k], least)) continue;
     Field& values = layers[k];
     layer_of(t, depths_[k], work, values);
-    // Beside a free domain nothing is looked at: its outermost cells have no neighbours there.
+    // The outermost cells of a free domain have no neighbours outside.
     if (!repeats.x && t.i == 0) values.row(0) = none;
     if (!repeats.y && t.j == 0) values.col(0) = none;
     if (!repeats.x && t.i + rows == nx) values.bottomRows(side - 1 - rows) = none;
@@ -239,7 +236,7 @@ void Tiles::look(const Tile& t, double least, Work& work) const {
     if (layers[k].size() > 0) add_summits(t, layers, k, least, work.found);
 }
 
-// Of layer k, where those beside it are not higher.
+// Of layer k, where the layers above and below are not higher.
 void Tiles::add_summits(const Tile& t, const std::vector<Field>& layers, std::size_t k, double least,
                         std::vector<LayerMaximum>& out) const {
   const Grid& g = body_.grid;
@@ -280,11 +277,9 @@ std::vector<LayerMaximum> Tiles::search(double known) {
 
 bool ShallowSearch::possible(const Grid& g) {
   const auto [nx, ny] = g.shape;
-  return std::max(g.dx, g.dy) <= 2 * std::min(g.dx, g.dy) && std::min(nx, ny) >= 64 &&
+  return std::max(g.dx, g.dy) <= 2 * std::min(g.dx, g.dy) && std::min(nx, ny) >= 64 && !g.periodic.both() &&
          !(g.periodic.x && nx % wide != 0) && !(g.periodic.y && ny % wide != 0);
 }
-
-double ShallowSearch::shallowest(const Grid& g) { return g.periodic.both() ? std::max(g.dx, g.dy) : 0; }
 
 double ShallowSearch::deepest(const Grid& g) { return 12 * std::max(g.dx, g.dy); }
 

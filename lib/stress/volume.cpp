@@ -1,9 +1,9 @@
 // A layer, one component after the other.
 //
 // A component's modes take twice the memory of its values, 2 N doubles, and there is room for those of one:
-// what is wanted beside others is transformed back to N values at once, or N/s² where cells are s times as
-// wide, and the last component's rows go from the modes to the caller. Kernels lie where the modes will be
-// (stress/kernel_columns.hpp).
+// a component that is wanted together with others is transformed back to N values at once, or N/s² where
+// cells are s times as wide, and the last component's rows go from the modes to the caller. Kernels are
+// stored where the modes will be (stress/kernel_columns.hpp).
 #include <algorithm>
 
 #include "core/large_field.hpp"
@@ -17,8 +17,8 @@ using stress::Component;
 
 using Transfer = std::array<LayerInfluence::TransferFunction, 3>;
 
-constexpr Index width = PrunedTransform::width, before = Interpolation::before, taps = Interpolation::taps;
-static_assert(width == LayerInfluence::width && LayerWork::rows_at_a_time % RowTransform::rows == 0);
+constexpr Index before = Interpolation::before, taps = Interpolation::taps;
+static_assert(block_columns == LayerInfluence::width && LayerWork::rows_at_a_time % RowTransform::rows == 0);
 
 // -i a z.
 Complex times_minus_i(double a, const Complex& z) { return {a * z.imag(), -a * z.real()}; }
@@ -83,7 +83,7 @@ void respond(LayerInfluence& influence, const LayerPlan& plan, Component c, Inde
   for (stress::Traction t : stress::tractions)
     if (plan.weights[t] != 0) transfer[t] = influence.transfer_function(t, b, worker);
   const PrunedTransform& transform = plan.resolution.transform;
-  for (Index q = 0; q < width; ++q)
+  for (Index q = 0; q < block_columns; ++q)
     respond(transform.torus().nx, c, Column(transfer, plan.weights, c, q),
             plan.resolution.pressure(b) + q * transform.stride(), product + q * transform.stride());
 }
@@ -153,7 +153,7 @@ class VolumeWork : public LayerWork {
   }
 
   void compute_modes(Component c) {
-    const Index block = 2 * width * transform_.slabs().own().count;
+    const Index block = 2 * block_columns * transform_.slabs().own().count;
     influence_->set_component(c, {reinterpret_cast<double*>(half_.data()), block});
     transform_.compose(half_, threads_, [&](Index b, Complex* product, int worker) {
       respond(*influence_, plan_, c, b, worker, product);

@@ -1,4 +1,4 @@
-// The closed forms of lib/contact/hertz.hpp against their textbook form, their limits, and solved contacts.
+// The closed forms of lib/contact/bodies.hpp against their textbook form, their limits, and solved contacts.
 #include "scenes.hpp"
 
 using namespace asperity;

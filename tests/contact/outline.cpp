@@ -1,18 +1,21 @@
 // The outline of cells: sides counted by hand, areas against the circle's.
 #include "contact/outline.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <deque>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "core/error.hpp"
+#include "scenes.hpp"
 #include "support.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 template <class Inside>
 Contact cells(const Grid& grid, Inside inside) {
@@ -100,4 +103,138 @@ TEST_CASE("under a limit pressure no area is below load over limit, and plastic 
   disc.load = 0.999 * limit * disc.area, disc.plastic_area = disc.area;
   CHECK(corrected_area(grid, disc, rim, limit) == disc.load / limit);
   CHECK(disc.area - elastic + area_scatter(grid, rim) == Approx(corrected_area_error(grid, disc, rim)));
+}
+
+namespace {
+
+using State = std::vector<std::int8_t>;
+
+Grid cells(Index nx, Index ny, Periodic around) { return {{nx, ny}, 1e-6, 2e-6, around}; }
+
+// Rows of a picture: # is in contact.
+struct Picture {
+  Picture(std::initializer_list<std::string_view> rows)
+      : nx(static_cast<Index>(rows.size())), ny(static_cast<Index>(rows.begin()->size())) {
+    for (std::string_view row : rows)
+      for (char c : row) state.push_back(c == '#');
+  }
+  Patches patches(bool around) const { return find_patches(cells(nx, ny, around), state); }
+  Index nx, ny;
+  State state;
+};
+
+// Walks from each cell over an unrolled plane: a patch that comes back to a cell from another period goes
+// around. Quadratic in the number of periods that the walk may leave.
+struct Walked {
+  std::vector<std::set<Index>> patches;
+  bool along_x = false, along_y = false;
+};
+
+Walked walked(const Grid& grid, const State& state) {
+  const auto [nx, ny] = grid.shape;
+  Walked out;
+  std::set<Index> seen;
+  for (Index start = 0; start < nx * ny; ++start) {
+    if (state[size(start)] == 0 || seen.contains(start)) continue;
+    using Place = std::pair<Index, Index>;
+    std::map<Index, Place> first;  // where a cell was met on the plane
+    std::deque<Place> queue{{start / ny, start % ny}};
+    first[start] = queue.front();
+    while (!queue.empty()) {
+      const auto [i, j] = queue.front();
+      queue.pop_front();
+      for (const auto& [k, l] : {Place{i + 1, j}, Place{i - 1, j}, Place{i, j + 1}, Place{i, j - 1}}) {
+        if (!grid.periodic.x && (k < 0 || k >= nx)) continue;
+        if (!grid.periodic.y && (l < 0 || l >= ny)) continue;
+        const Index cell = ((k % nx + nx) % nx) * ny + (l % ny + ny) % ny;
+        if (state[size(cell)] == 0) continue;
+        if (const auto [at, is_new] = first.try_emplace(cell, k, l); is_new) {
+          queue.emplace_back(k, l);
+        } else {
+          out.along_x |= at->second.first != k;
+          out.along_y |= at->second.second != l;
+        }
+      }
+    }
+    std::set<Index> patch;
+    for (const auto& [cell, place] : first) patch.insert(cell);
+    seen.insert(patch.begin(), patch.end());
+    auto has_row = [&](Index i) { return std::ranges::any_of(patch, [&](Index c) { return c / ny == i; }); };
+    auto has_column = [&](Index j) {
+      return std::ranges::any_of(patch, [&](Index c) { return c % ny == j; });
+    };
+    if (!grid.periodic.x) out.along_x |= has_row(0) && has_row(nx - 1);
+    if (!grid.periodic.y) out.along_y |= has_column(0) && has_column(ny - 1);
+    out.patches.push_back(std::move(patch));
+  }
+  std::ranges::stable_sort(out.patches, std::greater<>(), [](const auto& patch) { return patch.size(); });
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the patches of random fields are those of a walk from cell to cell", "[patches][exact]") {
+  std::mt19937_64 generator(11);
+  int spanning = 0, not_spanning = 0;
+  for (const Shape shape : {Shape{24, 24}, {17, 31}, {1, 20}, {20, 1}, {2, 2}, {3, 40}, {1, 1}})
+    for (const double share : {0.2, 0.5, 0.59, 0.65, 0.9})
+      for (const Periodic around : {Periodic{false}, {true}, {true, false}, {false, true}})
+        for (int draw = 0; draw < 8; ++draw) {
+          State state(size(shape.cells()));
+          std::bernoulli_distribution inside(share);
+          for (std::int8_t& cell : state)
+            cell = static_cast<std::int8_t>(inside(generator) ? 1 + draw % 2 : 0);
+          const Grid grid = cells(shape.nx, shape.ny, around);
+          const Patches found = find_patches(grid, state);
+          const Walked expected = walked(grid, state);
+          CAPTURE(shape.nx, shape.ny, share, around.x, around.y, draw);
+          REQUIRE(found.count() == static_cast<Index>(expected.patches.size()));
+          CHECK(found.percolates_x == expected.along_x);
+          CHECK(found.percolates_y == expected.along_y);
+          (expected.along_x ? spanning : not_spanning)++;
+          for (std::size_t k = 0; k < expected.patches.size(); ++k) {
+            CHECK(found.cells[k] == static_cast<Index>(expected.patches[k].size()));
+            for (const Index cell : expected.patches[k])
+              REQUIRE(found.label[size(cell)] == static_cast<std::int32_t>(k + 1));
+          }
+          CHECK(std::ranges::count_if(found.label, [](auto l) { return l > 0; }) ==
+                std::ranges::count_if(state, [](auto s) { return s > 0; }));
+        }
+  CHECK(spanning > 50);
+  CHECK(not_spanning > 50);
+}
+
+TEST_CASE("cells that meet at a corner alone are two patches, at opposite edges one where the grid repeats",
+          "[patches][exact]") {
+  CHECK(Picture{"#.", ".#"}.patches(false).count() == 2);
+  const Picture edges{"#..#", "....", "#..."};
+  CHECK(edges.patches(false).count() == 3);
+  CHECK(edges.patches(true).count() == 1);
+  CHECK_FALSE(edges.patches(true).percolates_x);
+  CHECK_FALSE(edges.patches(true).percolates_y);
+}
+
+TEST_CASE("a patch that touches both edges percolates a free domain, and a periodic one only around it",
+          "[patches][exact]") {
+  const Picture hook{"##....", ".#....", ".##...", "..#..."};
+  CHECK(hook.patches(false).percolates_x);
+  CHECK_FALSE(hook.patches(false).percolates_y);
+  CHECK_FALSE(hook.patches(true).percolates_x);
+  const Picture ring{".#..", "##..", "#...", "##..", ".#.."};
+  CHECK(ring.patches(true).percolates_x);
+  CHECK_FALSE(ring.patches(true).percolates_y);
+  const Picture none{"...", "..."};
+  CHECK(none.patches(true).count() == 0);
+  CHECK_FALSE(none.patches(false).percolates_x);
+}
+
+// Of one turn along x for two along y: nowhere is there a straight way around.
+TEST_CASE("a spiral that goes around along both axes at once percolates along both", "[patches][exact]") {
+  const Picture diagonal{"##..", ".##.", "..##", "#..#"};
+  CHECK(diagonal.patches(true).count() == 1);
+  CHECK(diagonal.patches(true).percolates_x);
+  CHECK(diagonal.patches(true).percolates_y);
+  const Picture spiral{"#######", "......#", "#####.#", "#...#.#", "#.###.#", "#.....#", "#######"};
+  CHECK(spiral.patches(false).count() == 1);
+  CHECK(spiral.patches(false).percolates_x);
 }

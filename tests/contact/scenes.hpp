@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "contact/bodies.hpp"
-#include "contact/hertz.hpp"
 #include "contact/influence.hpp"
 #include "contact/solver.hpp"
 #include "core/error.hpp"

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "quadrature.hpp"
+#include "reference.hpp"
 #include "reference/hertz_stress.hpp"
 #include "stress/equivalent.hpp"
 #include "stress/influence.hpp"
@@ -78,16 +78,6 @@ TEST_CASE("on the surface of a sliding Hertz contact the stress is linear in x a
     }
 }
 
-TEST_CASE("at the trailing edge of a sliding contact the surface is in tension (1-2nu)/3 + (4+nu) pi mu/8",
-          "[hertz][exact]") {
-  for (double mu : {0.0, 0.1, 0.4}) {
-    const double exact = 0.4 / 3 + 4.3 * std::numbers::pi * mu / 8;
-    CHECK(hertz_stress(-1, 0, 0, 0.3, Friction{mu, 0})[stress::xx] == Approx(exact).epsilon(64 * epsilon));
-    CHECK(hertz_stress(0, -1, 0, 0.3, Friction{mu, std::numbers::pi / 2})[stress::yy] ==
-          Approx(exact).epsilon(64 * epsilon));
-  }
-}
-
 TEST_CASE("on the surface outside a sliding contact nothing acts", "[hertz][exact]") {
   for (auto [x, y] : {std::array{1.2, 0.4}, std::array{-3.0, 1.0}}) {
     const Tensor s = hertz_stress(x, y, 0, 0.3, stress::shear_x);
@@ -102,9 +92,9 @@ TEST_CASE("friction raises the largest von Mises stress of a Hertz contact and m
   struct Row {
     double mu, value, x, z;
   };
-  for (const Row& row : {Row{0.1, 0.62444, 0.1116, 0.4749}, Row{0.2, 0.63766, 0.2192, 0.4571},
-                         Row{0.25, 0.64759, 0.2703, 0.4440}, Row{0.3, 0.65976, 0.3188, 0.4282},
-                         Row{0.4, 0.69094, 0.4052, 0.3883}}) {
+  for (const Row& row : {Row{0, 0.620041, 0, 0.480864}, Row{0.1, 0.62444, 0.1116, 0.4749},
+                         Row{0.2, 0.63766, 0.2192, 0.4571}, Row{0.25, 0.64759, 0.2703, 0.4440},
+                         Row{0.3, 0.65976, 0.3188, 0.4282}, Row{0.4, 0.69094, 0.4052, 0.3883}}) {
     auto at = [&](double dx, double dz) {
       return von_mises(hertz_stress(row.x + dx, 0, row.z + dz, 0.3, Friction{row.mu, 0}));
     };
@@ -114,27 +104,6 @@ TEST_CASE("friction raises the largest von Mises stress of a Hertz contact and m
          {std::array{1e-3, 0.0}, std::array{-1e-3, 0.0}, std::array{0.0, 1e-3}, std::array{0.0, -1e-3}})
       CHECK(at(dx, dz) < at(0, 0));
   }
-}
-
-// There xx = (1-2ν)/3 + (4+ν)πμ/8 and yy = -(1-2ν)/3 + 3νπμ/8 alone.
-TEST_CASE(
-    "the trailing edge of a sliding Hertz contact bears more than any point below it from mu = 0.305 on",
-    "[hertz][exact]") {
-  auto edge = [](double mu) { return von_mises(hertz_stress(-1, 0, 0, 0.3, Friction{mu, 0})); };
-  for (auto [mu, value] : {std::array{0.1, 0.36130}, std::array{0.2, 0.50530}, std::array{0.3, 0.65400},
-                           std::array{0.4, 0.80479}})
-    CHECK(std::abs(edge(mu) - value) <= 6e-6);
-  CHECK(edge(0.3) < 0.65976);
-  CHECK(edge(0.305) > 0.66110);  // the largest below, at (0.3235, 0.4267)
-}
-
-// The maximum is flat: two depths 1e-3 away differ from it by ½ m'' 1e-6, m'' about 2.
-TEST_CASE("the largest von Mises stress of a Hertz contact is 0.620041 at 0.480864 for nu = 0.3",
-          "[hertz][exact]") {
-  auto on_axis = [](double z) { return von_mises(hertz_stress(0, 0, z, 0.3)); };
-  CHECK(on_axis(0.480864) == Approx(0.620041004).epsilon(1e-9));
-  CHECK(on_axis(0.480864 - 1e-3) < 0.620041004);
-  CHECK(on_axis(0.480864 + 1e-3) < 0.620041004);
 }
 
 // A mean is a difference of four loads, each to ε; divided by the area of the cell and summed with it they

@@ -1,6 +1,6 @@
 #include "layer.hpp"
 #include "reference/peak_memory.hpp"
-#include "stress/mises_layer.hpp"
+#include "stress/equivalent.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -29,20 +29,6 @@ StressMaximum hertz_maximum(const Grid& grid) {
   return maximum_stress(StressSolver({grid, hertz_pressure(grid), 0.3}));
 }
 
-// The largest value at a cell centre over many depths.
-double brute_force(const StressSolver& solver, double shallowest, double deepest, int layers) {
-  std::vector<double> depths, top(static_cast<std::size_t>(layers), 0.0);
-  for (int k = 0; k < layers; ++k)
-    depths.push_back(shallowest * std::pow(deepest / shallowest, k / (layers - 1.0)));
-  std::vector<double> row(static_cast<std::size_t>(solver.shape().ny));
-  solver.layers(depths, stress::all, [&](Index l, Index, const StressRow& s) {
-    von_mises(s, row);
-    for (double value : row)
-      top[static_cast<std::size_t>(l)] = std::max(top[static_cast<std::size_t>(l)], value);
-  });
-  return *std::max_element(top.begin(), top.end());
-}
-
 }  // namespace
 
 // Besides the stress's own error the parabolas in z leave 2e-5.
@@ -96,21 +82,6 @@ TEST_CASE(
   }
 }
 
-// The parabola through three points of a smooth even peak off by s h finds s h up to h³: percents of a cell.
-TEST_CASE("the place of the maximum is found between the cell centres", "[maximum][law]") {
-  for (auto [sx, sy] : {std::pair{0.0, 0.0}, std::pair{0.3, -0.4}, std::pair{0.5, 0.5}}) {
-    const Grid grid{{50, 64}, 0.06, 0.05};
-    const double cx = sx * grid.dx, cy = sy * grid.dy;
-    const Field p = sample(grid, [&](double x, double y) {
-      return std::sqrt(std::max(0.0, 1 - (x - cx) * (x - cx) - (y - cy) * (y - cy)));
-    });
-    const StressMaximum found = maximum_stress(StressSolver({grid, p, 0.3}));
-    CAPTURE(sx, sy, found.x, found.y);
-    CHECK(std::abs(found.x - cx) <= 0.03 * grid.dx);
-    CHECK(std::abs(found.y - cy) <= 0.03 * grid.dy);
-  }
-}
-
 // Without the mixed difference a peak turned by 30° and twice as long as wide is missed by 0.2 cells. What a
 // quadratic leaves of the value is of the fourth order, u² (1 - u²)/24 h⁴ f⁗ along each axis, |u| ≤ ½ cell;
 // with f⁗ ≈ 24 f/z⁴ 0.2 (h/z)⁴ each.
@@ -151,21 +122,6 @@ TEST_CASE("the depth and the value of the maximum are those among many layers", 
       // The quadratic in a layer leaves 0.2 (h/z)⁴ along each axis, see above.
       CHECK(std::abs(found.value / best.value - 1) <= 2e-6 + 0.2 * std::pow(grid.dx / found.depth, 4));
     }
-}
-
-// One loaded cell on top of a contact puts a second maximum within a cell of the surface.
-TEST_CASE("of two maxima at different depths the larger is found", "[maximum][law]") {
-  const Grid grid = hertz_grid(48);
-  for (double spike : {0.2, 0.6, 3.0}) {
-    Field p = hertz_pressure(grid);
-    p(20, 30) += spike;
-    const StressSolver solver({grid, p, 0.3});
-    const double scanned = brute_force(solver, 0.25 * grid.dx, 1.5, 120);
-    const StressMaximum found = maximum_stress(solver);
-    CAPTURE(spike, scanned, found.value, found.depth);
-    CHECK(found.value >= (1 - 2e-3) * scanned);
-    CHECK(found.value <= 1.02 * scanned);  // between the centres it is a little higher
-  }
 }
 
 TEST_CASE("the maximum scales with the pressure and does not depend on the number of threads",

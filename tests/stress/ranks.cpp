@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "core/error.hpp"
-#include "stress/bound.hpp"
+#include "stress/load.hpp"
 #include "stress/maximum.hpp"
 #include "support.hpp"
 

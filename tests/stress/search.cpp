@@ -90,7 +90,7 @@ TEST_CASE("the search from the surface and from above its first depth find the s
 }
 
 // A single cell bears most at the surface or near it; a cell deep and more the stress falls with the depth.
-// Corner sums leave 1e-10 of the stress (stress/cell_sum.hpp).
+// Corner sums leave 1e-10 of the stress (stress/points.hpp).
 TEST_CASE("where the stress falls with the depth the maximum lies at the depth from which it is asked",
           "[maximum][law]") {
   const Grid grid{{21, 17}, 0.1, 0.08};

@@ -4,9 +4,9 @@
 
 #include "core/error.hpp"
 #include "layer.hpp"
-#include "stress/bound.hpp"
 #include "stress/influence.hpp"
 #include "stress/layers.hpp"
+#include "stress/load.hpp"
 #include "stress/maximum.hpp"
 #include "support.hpp"
 
@@ -90,34 +90,40 @@ TEST_CASE("a section far from a load that fills a corner is the layers' row, and
 
 TEST_CASE("layers are handed over in order from the calling thread, none far ahead, and a failure ends them",
           "[layers][contract]") {
+  const Grid grid{{4, 3}, 1, 1};
+  const LoadedBody body{grid, Field::Ones(4, 3), 0.3};
+  using Work = StressSolver::Workspace;
   for (int threads : {1, 2, 5})
-    for (Index count : {0, 1, 3, 40}) {
+    for (std::size_t count : {0u, 1u, 3u, 40u}) {
       std::atomic<Index> handed_over{0};
-      std::vector<int> computed(static_cast<std::size_t>(count));
+      std::vector<int> computed(count);
       std::atomic<bool> ahead{false};
       const auto caller = std::this_thread::get_id();
-      in_layers(
-          count, threads,
-          [&](Index l, int) {
-            if (l >= handed_over + threads) ahead = true;
-            ++computed[static_cast<std::size_t>(l)];
-          },
-          [&](Index begin, Index end) {
-            CHECK(std::this_thread::get_id() == caller);
-            CHECK(begin == handed_over);
-            CHECK(end > begin);
-            for (Index l = begin; l < end; ++l) CHECK(computed[static_cast<std::size_t>(l)] == 1);
-            handed_over = end;
-          });
-      CHECK(handed_over == count);
+      StressSolver(body, threads)
+          .each_layer(
+              std::vector<double>(count, 1.0),
+              [&](Index l, Work&) {
+                if (l >= handed_over + threads) ahead = true;
+                ++computed[static_cast<std::size_t>(l)];
+              },
+              [&](Index begin, Index end) {
+                CHECK(std::this_thread::get_id() == caller);
+                CHECK(begin == handed_over);
+                CHECK(end > begin);
+                for (Index l = begin; l < end; ++l) CHECK(computed[static_cast<std::size_t>(l)] == 1);
+                handed_over = end;
+              });
+      CHECK(handed_over == static_cast<Index>(count));
       CHECK_FALSE(ahead);
     }
-  auto fail = [](Index l, int) {
+  const StressSolver solver(body, 3);
+  const std::vector<double> depths(40, 1.0);
+  auto fail = [](Index l, Work&) {
     if (l == 7) throw std::runtime_error("the seventh");
   };
-  CHECK_THROWS_AS(in_layers(40, 3, fail, {}), std::runtime_error);
-  CHECK_THROWS_AS(in_layers(
-                      40, 3, [](Index, int) {}, [](Index, Index) { throw std::runtime_error("full"); }),
+  CHECK_THROWS_AS(solver.each_layer(depths, fail), std::runtime_error);
+  CHECK_THROWS_AS(solver.each_layer(
+                      depths, [](Index, Work&) {}, [](Index, Index) { throw std::runtime_error("full"); }),
                   std::runtime_error);
 }
 

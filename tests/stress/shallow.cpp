@@ -4,7 +4,7 @@
 #include <random>
 
 #include "layer.hpp"
-#include "stress/near_kernel.hpp"
+#include "stress/kernel_split.hpp"
 #include "stress/points.hpp"
 #include "support.hpp"
 
@@ -58,7 +58,7 @@ TEST_CASE("no random pattern of loads exceeds the bound of patterns", "[maximum]
 // Far parts are those of cells four times as wide, good to a per cent of the largest pressure.
 TEST_CASE("the shallow search finds the largest value of each layer that may hold the largest of all",
           "[maximum][law]") {
-  for (Periodic periodic : {Periodic{}, Periodic{true, true}})
+  for (Periodic periodic : {Periodic{}, Periodic{true, false}})
     for (const Friction& friction : {Friction{}, Friction{0.4, 0.5}}) {
       const Grid grid{{96, 96}, 1, 1, periodic};
       const LoadedBody body{grid, caps(grid, 5), 0.3, friction};
@@ -89,7 +89,7 @@ TEST_CASE("the largest stress of several contacts is a maximum of the field, to 
       auto value = [&](double x, double y, double z) { return von_mises(points.at(x, y, z)); };
       CAPTURE(seed, friction, found.x, found.y, found.depth, found.value);
       REQUIRE(found.depth >= 1);
-      CHECK(relative_error(value(found.x, found.y, found.depth), found.value) <= 1e-6);
+      CHECK(relative_error(value(found.x, found.y, found.depth), found.value) <= 1e-9);
       for (int axis = 0; axis < 3; ++axis)
         for (double step : {-0.01, 0.01}) {
           const double d = step * found.depth;
@@ -123,6 +123,59 @@ TEST_CASE("of long cells no column bears more than the largest stress", "[maximu
     CHECK(found.depth < 12);
     CHECK(found.value <= top * (1 + 1e-3));
   }
+}
+
+namespace {
+
+// The largest value at the cells' centres in layers from one depth to another, each a factor deeper.
+double largest_of_layers(const StressSolver& solver, double from, double to, double factor) {
+  std::vector<double> depths;
+  for (double z = from; z < to; z *= factor) depths.push_back(z);
+  double top = 0;
+  solver.layers(depths, stress::all, [&](Index, Index, const StressRow& row) {
+    std::vector<double> values(row[0].size());
+    von_mises(row, values);
+    top = std::max(top, std::ranges::max(values));
+  });
+  return top;
+}
+
+}  // namespace
+
+// Far parts of tiles, from the waves through wide cells, were 3 % of a step of the pressure off, and a maximum
+// that is 1.5 % higher lay below a wrong one: 0.39727 in place of 0.40319.
+TEST_CASE("below a load that repeats along both axes no column bears more than the largest stress",
+          "[maximum][law]") {
+  const Grid grid{{96, 84}, 1, 1.77, {true, true}};
+  Field p = Field::Zero(96, 84);
+  for (const auto& [r, top, cx, cy] :
+       {std::array{7.8113, 0.9912, 0.683, 33.736}, std::array{10.8985, 0.9817, -29.61, -18.322},
+        std::array{13.5276, 0.9811, 35.804, -39.619}})
+    p = p.max(sample(grid, [&](double x, double y) {
+      return top * std::sqrt(std::max(0.0, 1 - ((x - cx) * (x - cx) + (y - cy) * (y - cy)) / (r * r)));
+    }));
+  const double from = 1.819;
+  const StressSolver solver({grid, p.min(0.6 * p.maxCoeff()), 0.3});
+  const double found = maximum_stress(solver, {Criterion::von_mises, from}).value,
+               columns = largest_of_layers(solver, from, 20, 1.03);
+  CAPTURE(found, columns);
+  CHECK(found >= columns * (1 - 1e-7));
+  CHECK(found <= columns * 1.01);  // between the centres of long cells
+}
+
+// At its trailing edge many columns bear nearly the same a few hundredths of a cell deep; the search left all
+// but one below that one's estimate, 0.7525 for 0.7542.
+TEST_CASE("of a sliding contact no column near the surface bears more than the largest stress",
+          "[maximum][law]") {
+  const Grid grid{{128, 128}, 3.205 / 128, 3.205 / 128};
+  const Field p =
+      sample(grid, [](double x, double y) { return std::sqrt(std::max(0.0, 1 - x * x - y * y)); });
+  const StressSolver solver({grid, p, 0.3, {0.4, 0}});
+  const StressMaximum found = maximum_stress(solver);
+  const double columns = largest_of_layers(solver, 0.03 * grid.dx, 0.06 * grid.dx, 1.05);
+  CAPTURE(found.value, found.depth / grid.dx, columns);
+  CHECK(found.value >= columns * (1 - 1e-7));
+  CHECK(found.value <= columns * (1 + 1e-3));
 }
 
 // The search is good to 1e-6 of either. Without its rule for maxima that recur it refines all 64.

@@ -156,7 +156,7 @@ TEST_CASE("a cylinder that repeats along one axis is pressed as Hertz's line con
             .all());
 }
 
-// Proof in contact/flattening.hpp: the former pressure and approach solve the elastic contact of what is
+// Proof in contact/energy.hpp: the former pressure and approach solve the elastic contact of what is
 // left.
 TEST_CASE("the unloaded surface carries the load again, elastically and under the same pressure",
           "[contact][exact]") {

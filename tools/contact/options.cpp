@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "contact/flattening.hpp"
+#include "contact/energy.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
 

@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "contact/bodies.hpp"
 #include "contact/energy.hpp"
-#include "contact/flattening.hpp"
-#include "contact/hertz.hpp"
 #include "contact/influence.hpp"
-#include "contact/patches.hpp"
+#include "contact/outline.hpp"
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/lineage.hpp"

@@ -68,7 +68,7 @@ struct Smooth {
   double area, stiffness;
 };
 
-// Hertz's; of a line contact by (5), (6) of contact/hertz.hpp, of a point contact from δ ~ Q^⅔.
+// Hertz's; of a line contact by (8), (9) of contact/bodies.hpp, of a point contact from δ ~ Q^⅔.
 template <class Value>
 Smooth smooth_of(const Grid& grid, Value value) {
   const double b = value("hertz_half_width"), length = grid.periodic.x ? grid.size_x() : grid.size_y();

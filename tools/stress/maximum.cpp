@@ -7,7 +7,6 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "stress/edge.hpp"
 #include "stress/maximum_error.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"

@@ -8,7 +8,6 @@
 
 #include "stress/equivalent.hpp"
 #include "stress/layers.hpp"
-#include "stress/mises_layer.hpp"
 
 namespace asperity::cli {
 
@@ -53,7 +52,6 @@ class StressSelection {
 /// The requested quantities of layers, row by row, in as little memory as they allow.
 ///
 /// Components and the von Mises stress are computed from one component after the other
-/// (stress/mises_layer.hpp); principal stresses and what follows from them need all six at once. So do layers
 /// of less than 768² cells, where memory matters less than what components have in common.
 class LayerRows {
  public:

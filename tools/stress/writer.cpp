@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "stress/bound.hpp"
+#include "stress/load.hpp"
 
 namespace asperity::cli {
 namespace {

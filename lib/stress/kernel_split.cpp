@@ -1,11 +1,13 @@
-#include "stress/near_kernel.hpp"
+#include "stress/kernel_split.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "stress/corner_tile.hpp"
+#include "core/parallel.hpp"
+#include "stress/corner.hpp"
 #include "stress/equivalent.hpp"
+#include "stress/layer_maxima.hpp"
 
 namespace asperity {
 namespace {
@@ -14,12 +16,15 @@ using stress::Component;
 using stress::Tensor;
 using stress::Traction;
 
-constexpr double whole = 6;  // cells: w = 1
+constexpr double all_near = 6;  // cells: w = 1
 constexpr int most_steps = 40;
+constexpr Index far_reach = 4;  // wide cells
+// Depths [cells].
+constexpr double far_depths[] = {0, 3, 7, 12};
 
 // w of (1) at a distance in cells.
 double weight(double cells) {
-  const double t = (std::abs(cells) - whole) / (near_reach + 1 - whole);
+  const double t = (std::abs(cells) - all_near) / (near_reach + 1 - all_near);
   if (t <= 0) return 1;
   if (t >= 1) return 0;
   const double c = std::cos(0.5 * std::numbers::pi * t);
@@ -114,6 +119,63 @@ double NearKernel::largest(Criterion of) const {
     bound = std::max(bound, last);
   }
   return bound;
+}
+
+FarStress::FarStress(const LoadedBody& body, int threads) {
+  const double h = std::max(body.grid.dx, body.grid.dy);
+  for (std::size_t l = 0; l < depths_.size(); ++l) depths_[l] = h * far_depths[l];
+
+  const WiderCells wider = wider_cells(body, wide, wide);
+  const StressSolver solver(wider.body, threads);
+  const auto [nx, ny] = wider.body.grid.shape;
+  const Periodic repeats = body.grid.periodic;
+  // The mean pressures, with those within reach around the domain.
+  Field p = Field::Zero(nx + 2 * far_reach, ny + 2 * far_reach);
+  for (Index i = 0; i < p.rows(); ++i)
+    for (Index j = 0; j < p.cols(); ++j) {
+      Index m = i - far_reach, n = j - far_reach;
+      if (repeats.x) m = wrapped(m, nx);
+      if (repeats.y) n = wrapped(n, ny);
+      if (m >= 0 && n >= 0 && m < nx && n < ny) p(i, j) = wider.body.pressure(m, n);
+    }
+  StressSolver::Workspace work;
+  for (std::size_t l = 0; l < layers_.size(); ++l) {
+    auto& layer = layers_[l];
+    for (Field& f : layer) f.resize(nx, ny);
+    solver.layer(depths_[l], stress::all, work, [&](Index i, const StressRow& row) {
+      for (Component c : stress::components) std::ranges::copy(row[c], layer[c].row(i).data());
+    });
+    const NearKernel near(body, wide, far_reach, depths_[l]);
+    parallel_ranges(nx, threads, [&](Index begin, Index end, int) {
+      for (Index i = begin; i < end; ++i)
+        for (Index k = -far_reach; k <= far_reach; ++k) {
+          const auto row = p.row(i + k + far_reach);
+          if ((row == 0).all()) continue;
+          for (Index q = -far_reach; q <= far_reach; ++q) {
+            const Tensor& lag = near.at(-k, -q);
+            for (Component c : stress::components)
+              if (lag[c] != 0) layer[c].row(i) -= lag[c] * row.segment(q + far_reach, ny);
+          }
+        }
+    });
+  }
+}
+
+FarStress::Weights FarStress::weights(double z) const {
+  Weights out;
+  for (std::size_t l = 0; l < out.size(); ++l) {
+    out[l] = 1;
+    for (std::size_t k = 0; k < out.size(); ++k)
+      if (k != l) out[l] *= (z - depths_[k]) / (depths_[l] - depths_[k]);
+  }
+  return out;
+}
+
+Tensor FarStress::at(const Weights& weights, Index i, Index j) const {
+  Tensor out{};
+  for (std::size_t l = 0; l < weights.size(); ++l)
+    for (Component c : stress::components) out[c] += weights[l] * layers_[l][c](i, j);
+  return out;
 }
 
 }  // namespace asperity

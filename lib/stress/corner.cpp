@@ -1,8 +1,4 @@
 // Compiled with finite-math-only arithmetic where that gives vectors: shared inline code stays out.
-#include "stress/corner_tile.hpp"
-
-#include <cmath>
-
 #include "stress/corner.hpp"
 
 namespace asperity {
