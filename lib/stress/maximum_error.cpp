@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/calibration.hpp"
-#include "math/grid_change.hpp"
+#include "core/halved.hpp"
 #include "stress/edge.hpp"
 
 namespace asperity {

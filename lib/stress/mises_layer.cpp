@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/large_field.hpp"
+#include "core/memory.hpp"
 
 namespace asperity {
 namespace {

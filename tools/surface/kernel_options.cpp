@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "acf/kernel_cost.hpp"
+#include "acf/kernel.hpp"
 #include "core/words.hpp"
 
 namespace asperity::cli {
@@ -76,6 +76,7 @@ void KernelOptions::declare_target(Tool& tool) {
   tool.number("--length-level", shape.level, "ACF value at --length; 0.3678794 for 1/e lengths", group);
   tool.text("--angle", angle, "ANGLE", "Direction of the first length, from +x towards +y: 30deg, 0.5rad",
             group);
+  static_assert(std::size(shape_parameters) == 4, "each has an option here");
   tool.number(
       "--smoothness", shape.smoothness,
       "Smoothness of matern; 0.5 is the exponential, infinity the Gaussian. Below 1 it is the Hurst exponent",
@@ -205,7 +206,7 @@ std::optional<BandLimited> KernelOptions::band(const Tool& tool, const EllipticT
                                 text(period) +
                                 " points run along one axis; draw a surface and take a row of it "
                                 "(asperity-filter --crop)");
-  const Band band = model.model == Model::stretched_exponential ? Band{} : band_of(tool, model, period);
+  const Band band = model.has_spectrum() ? band_of(tool, model, period) : Band{};
   check_memory(periodic_kernel_cost(period), static_cast<double>(tool.memory()), period);
   return BandLimited(model, band, period);
 }
@@ -242,8 +243,9 @@ void KernelOptions::refuse_beside(const Tool& tool, const std::string& limit) co
 }
 
 void KernelOptions::refuse_model(const Tool& tool) const {
-  for (const char* option : {"model", "length", "length-level", "angle", "smoothness", "exponent", "hurst",
-                             "wavelength", "rolloff", "cutoff"})
+  std::vector<const char*> options{"model", "length", "length-level", "angle", "rolloff", "cutoff"};
+  for (const ShapeParameter& parameter : shape_parameters) options.push_back(parameter.name);
+  for (const char* option : options)
     if (given(tool, option))
       throw UsageError(option, "cannot be combined with --acf, which gives the whole autocorrelation");
 }
