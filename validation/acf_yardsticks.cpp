@@ -123,7 +123,7 @@ class Descent {
     double best = 0;
     for (double root : std::span(roots).first(size(count)))
       if (gain(root) < gain(best)) best = root;
-    // A root close to 0 beside large ones has lost its digits.
+    // A root close to 0 among large ones has lost its digits.
     if (best == 0 && c1 < 0 && c2 > 0) best = -c1 / c2;
     for (int i = 0; i < 2; ++i)
       best -= (c1 + best * (c2 + best * (c3 + best * c4))) / (c2 + best * (2 * c3 + best * 3 * c4));

@@ -3,19 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acf/kernel_cost.hpp"
+#include "acf/kernel.hpp"
 #include "acf/kernel_evaluation.hpp"
-#include "acf/minimum_norm_newton.hpp"
 #include "acf/newton_krylov.hpp"
-#include "acf/projections.hpp"
-#include "core/calibration.hpp"
+#include "acf/wider_kernel.hpp"
 #include "core/error.hpp"
 #include "core/words.hpp"
 
 namespace asperity {
 namespace {
 
-namespace solver = calibration::acf;
+// Of the spectrum of a cut target: the negative share above which no iteration is tried, the round-off of
+// the windowed spectrum over its maximum, and the |least| over the maximum below which a target is smooth, so
+// that Newton's matrix is singular and the spectral root nearly exact (validation/acf_error_time).
+constexpr double hopeless_share = 0.1, round_off = 1e-10, smooth_spectrum = 1e-12;
+
+// The torus of projections relative to the lags, its growth, and its largest size: one second per step.
+constexpr Index least_widening = 4;
+constexpr Index wider_still(Index torus) { return torus * 3 / 2; }
+constexpr double most_torus_points = 1 << 24;
 
 // Share of the tolerance, so that the residual recomputed by other sums stays below the whole.
 constexpr double inside = 0.5;
@@ -41,7 +47,7 @@ std::string beyond_limits(const KernelProblem& problem, Index torus) {
   if (memory > problem.request.memory)
     return "a wide enough kernel needs some " + number(memory / 1e6) + "MB, more than memory allows";
   const double points = static_cast<double>(torus * torus) * static_cast<double>(problem.lags.cells());
-  return points > solver::most_torus_points ? "a wide enough kernel needs more than 2^24 points" : "";
+  return points > most_torus_points ? "a wide enough kernel needs more than 2^24 points" : "";
 }
 
 // The kernel that a torus leads to, and what the torus itself leaves of the change.
@@ -96,10 +102,9 @@ KernelProblem::KernelProblem(const KernelRequest& asked, Shape at, bool belongs_
   if (!std::isfinite(largest))
     refuse("the autocorrelation is not finite at one of the " + text(lags) + " lags");
   feasibility = even->feasibility();
-  recognised =
-      zero_phase && (of_no_surface || largest > 1 + 1e-12 || feasibility.windowed < -solver::round_off ||
-                     feasibility.negative_share > solver::hopeless_share);
-  smooth = zero_phase && std::abs(feasibility.least) < solver::smooth_spectrum;
+  recognised = zero_phase && (of_no_surface || largest > 1 + 1e-12 || feasibility.windowed < -round_off ||
+                              feasibility.negative_share > hopeless_share);
+  smooth = zero_phase && std::abs(feasibility.least) < smooth_spectrum;
   if (zero_phase)
     equations = std::move(even);
   else
@@ -169,12 +174,12 @@ Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& 
     return problem.enough > problem.request.tolerance && std::isfinite(residual) &&
            residual > problem.enough && residual > 2 * change;
   };
-  for (Index torus = solver::least_torus; out.effort.reason.empty();) {
+  for (Index torus = least_widening; out.effort.reason.empty();) {
     auto [widened, change] = widen(problem, torus);
     if (widened && (!out.candidate || problem.better(*widened, *out.candidate)))
       out.candidate = std::move(widened);
     if (!lost_more_than(change)) break;
-    torus = solver::wider_torus(torus);
+    torus = wider_still(torus);
     out.effort.reason = beyond_limits(problem, torus);
   }
   if (!out.candidate) return out;

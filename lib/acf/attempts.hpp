@@ -1,5 +1,4 @@
-/// The search for a kernel at given lags: the ways to one, each from the problem to a candidate, if it has
-/// one.
+/// The search for a kernel at given lags: several attempts, each of which may find a candidate.
 ///
 /// Before any iteration the spectrum of the cut target is checked. If it is negative beyond round-off under
 /// Fejér's window, no surface has it; if its negative part is a tenth of the whole, it is hopeless. Neither
@@ -52,7 +51,7 @@ struct KernelProblem {
   /// What these coefficients achieve, their variance set right where they are no solution; none if not
   /// finite.
   std::optional<Kernel> evaluate(const Field& values, Answer answer) const;
-  /// Passes on, with its name, what an iteration tells.
+  /// Passes on the steps of an iteration, with its name.
   IterationObserver observer(std::string_view iteration) const;
   /// Throws ParameterError("lags"), or DataError("acf") for a table.
   [[noreturn]] void refuse(const std::string& message) const;
@@ -67,9 +66,9 @@ struct Attempt {
 Attempt spectral_root(const KernelProblem& problem);
 /// Newton's iteration from the windowed root, where it is worth its time: a candidate where it converges.
 Attempt newton(const KernelProblem& problem);
-/// A kernel of twice the lags by projections (acf/projections.hpp), and where equations are to be met exactly
-/// the least change that meets them (acf/minimum_norm_newton.hpp). For a table met within the tolerance, lags
-/// are added until the ends of the kernel do no harm, or until the `best` so far is good enough.
+/// A kernel of twice the lags by projections, and where equations are to be met exactly the least change that
+/// meets them (acf/wider_kernel.hpp). For a table met within the tolerance, lags are added until the ends of
+/// the kernel do no harm, or until the `best` so far is good enough.
 Attempt wider_kernel(const KernelProblem& problem, const std::optional<Kernel>& best);
 
 }  // namespace asperity

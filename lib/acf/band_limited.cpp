@@ -13,7 +13,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-// (4) at a wave number, by (3).
+// The model's spectrum at a wave number, by (3).
 class Density {
  public:
   Density(const EllipticTarget& model, const Band& band)
@@ -42,20 +42,7 @@ class Density {
 
   double principal(double along, double across) const {
     const double a = along * model_.length_x / radius_, b = across * model_.length_y / radius_;
-    return radial(a * a + b * b);
-  }
-
-  double radial(double squared) const {
-    switch (model_.model) {
-      case Model::gaussian:
-        return std::exp(-squared / 4);
-      case Model::matern:
-        return std::pow(1 + squared, -1 - model_.smoothness);
-      case Model::self_affine:
-        return std::pow(std::max(squared, 1.0), -1 - model_.hurst);
-      default:
-        return std::pow(1 + squared, -1.5);
-    }
+    return model_.spectrum(a * a + b * b);
   }
 
   const EllipticTarget& model_;
@@ -63,7 +50,7 @@ class Density {
   double radius_, cosine_, sine_;
 };
 
-// The waves, up to two, between -n/2 and n/2 that n samples do not tell from wave `index` ≥ 0.
+// The waves, up to two, between -n/2 and n/2 that have the same n samples as wave `index` ≥ 0.
 struct Aliases {
   std::array<Index, 2> wave{};
   std::size_t count = 0;
@@ -86,12 +73,12 @@ void check_wave(const char* name, double wave, const WaveBounds& bounds) {
                   number(wave) + " does not lie in " + number(bounds.least) + " ... " + number(bounds.most));
 }
 
-void check(const EllipticTarget& model, const Band& band, Shape period) {
+void check_band(const EllipticTarget& model, const Band& band, Shape period) {
   model.check();
-  if (model.model == Model::stretched_exponential)
-    throw ParameterError("model",
-                         "stretched-exponential: has no spectrum in closed form to limit; choose another "
-                         "model, such as matern");
+  if (!model.has_spectrum())
+    throw ParameterError("model", std::string(name_of(model.model)) +
+                                      ": has no spectrum in closed form to limit; choose another model, "
+                                      "such as matern");
   if (band.levels())
     for (const double wave : {band.rolloff_x, band.rolloff_y})
       check_wave("rolloff", wave, rolloff_bounds(model, period));
@@ -124,7 +111,7 @@ WaveBounds cutoff_bounds(const EllipticTarget& model, const Band& band, Shape pe
 
 BandLimited::BandLimited(const EllipticTarget& model, const Band& band, Shape period)
     : period_(period), band_(band), power_(size(period.nx * (period.ny / 2 + 1))) {
-  check(model, band, period);
+  check_band(model, band, period);
   const Sides side(model, period);
   const Density density(model, band);
   const double most = band.cuts() ? std::pow(turn / band.cutoff * (1 + WaveBounds::rounded), 2) : Band::none;

@@ -1,34 +1,28 @@
-/// Periodic surfaces of which the spectrum is prescribed: no waves shorter than a cut-off, flat above a
-/// roll-off.
+/// Periodic surfaces with a prescribed spectrum: no waves shorter than a cut-off, flat above a roll-off.
 ///
 /// A surface that continues itself after Lx × Ly is a sum of waves q = 2π (j/Lx, k/Ly). Here their powers are
 /// those of a model where the wave is not shorter than the cut-off λs, and nothing elsewhere,
 ///     P(q) = C(q̃) / Σ C   for 0 < |q| ≤ 2π/λs,   0 else,                                                (1)
 ///     R(r)/σ² = Σ P(q) cos(q·r),   kernel^ = √P:                                                        (2)
-/// P is set wave by wave and never negative, so that the kernel has R to round-off and the surface no wave
-/// beyond the band but that of rounding. The mean is no wave and has no power: the rms height about the mean
+/// P is set wave by wave and never negative, so that the kernel has R to round-off, and the surface no waves
+/// beyond the band except rounding. The mean is no wave and has no power: the rms height about the mean
 /// is σ. Nothing in (1) depends on the grid, so that surfaces on a finer one have the same R. Without a
 /// cut-off the band ends with the grid, at two samples along x and along y.
 ///
 /// A roll-off λr leaves C as it is on and outside an ellipse, and within it flat along every direction, at
-/// what C is where that direction meets the ellipse:
+/// the value of C where that direction meets the ellipse:
 ///     q̃ = q / min(1, e),   e = √((qx' λr1)² + (qy' λr2)²) / 2π.                                         (3)
-/// The self-affine model is one of these, of a power law: its own length tells its roll-off.
+/// The self-affine model is one of these, of a power law: its own length gives its roll-off.
 ///
-/// With x', y' along the axes of the ellipses in units of the lengths over r* (acf/target.hpp), and s the
-/// length of q in their reciprocals, the models have in the plane
-///     exponential         (1 + s²)^-3/2                    Matérn       (1 + s²)^-(1+ν)
-///     gaussian            exp(-s²/4)                       self-affine  1 for s ≤ 1, s^-2(1+H) beyond
-///     exponential-cosine  half the exponential's at q ± 2π/wavelength along x'                          (4)
-/// and the stretched exponential no closed form. A roll-off along x' below the wavelength of the cosine would
-/// level the very wave, and is refused.
+/// C is in acf/target.hpp, (2); the stretched exponential has none in closed form. A roll-off along x' below
+/// the wavelength of the exponential-cosine would level the very wave, and is refused.
 ///
-/// The mean square slope is known too, without differences of heights: Sdq²/σ² = Σ |q|² P(q).            (5)
+/// The mean square slope is known too, without differences of heights: Sdq²/σ² = Σ |q|² P(q).            (4)
 ///
 /// Symbols   ^  the discrete Fourier transform over the period    σ  rms height
 ///           λs, λr1, λr2  cut-off; roll-off along x' and y', in the unit of the model's lengths
 /// Accuracy  ε log2(N M) of the variance.
-/// Cost      N M/2 values of (4), and a real transform for each of R and the kernel: 0.1 s at 1024².
+/// Cost      N M/2 values of C, and a real transform for each of R and the kernel: 0.1 s at 1024².
 ///
 /// T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001; V. A. Yastrebov,
 /// G. Anciaux, J.-F. Molinari, Int. J. Solids Struct. 52 (2015) 83-102.
@@ -81,7 +75,7 @@ class BandLimited {
   Field correlation() const { return correlation_of_power(power_, period_); }
   /// Of the whole period, lag zero in its middle, of unit variance.
   Field kernel() const { return kernel_of_power(power_, period_); }
-  /// (5), over the square of the unit of the lengths.
+  /// (4), over the square of the unit of the lengths.
   double mean_square_slope() const { return slope_; }
 
  private:

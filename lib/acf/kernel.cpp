@@ -4,16 +4,29 @@
 #include <cmath>
 
 #include "acf/attempts.hpp"
-#include "acf/kernel_cost.hpp"
 #include "acf/kernel_evaluation.hpp"
-#include "core/calibration.hpp"
 #include "core/stopwatch.hpp"
 #include "core/words.hpp"
 
 namespace asperity {
 namespace {
 
-namespace solver = calibration::acf;
+// validation/acf_error_time and validation/stability_kernel show the effect of these constants on targets
+// from feasible to hopeless, under each policy; the original fits were not recorded.
+
+// From here to 0 a spectrum, relative to its maximum, is barely negative, and its root is tried first.
+constexpr double nearly_smooth = -1e-4;
+// No surface has a target whose negative spectrum keeps the fraction `still_negative` from truncation at
+// `nearer` to truncation at `farther`; of a negative part due to truncation less than a tenth remains.
+constexpr double nearer = 1e-4, farther = 1e-6, still_negative = 0.5;
+
+// Accepted changes of a target without request [σ²]: the largest, and the one below which nothing is widened.
+constexpr double largest_change = 1e-2, negligible_change = 1e-6;
+
+// The choice of lags: the target at the cut over the error by the cut, and the growth of the lags per trial.
+constexpr double cut_over_error = 5, growth = 1.2;
+constexpr int most_trials = 10;
+constexpr double most_unknowns = 1 << 24;  // a workstation holds 40 such vectors
 
 // ---- the search at given lags ----
 
@@ -49,7 +62,7 @@ class KernelSolver {
         problem_.zero_phase && !problem_.recognised && problem_.request.infeasible != InfeasiblePolicy::error;
     auto barely_negative = [this] {
       const bool no_start = effort_.steps == 0 && !effort_.converged;
-      return !problem_.smooth && (no_start || problem_.feasibility.least > solver::nearly_smooth);
+      return !problem_.smooth && (no_start || problem_.feasibility.least > nearly_smooth);
     };
     try_in_turn({[&] { return may_widen && problem_.smooth ? wider() : Attempt{}; },
                  [&] { return newton(problem_); },
@@ -89,12 +102,12 @@ class KernelSolver {
     const InfeasiblePolicy policy = problem_.request.infeasible;
     if (policy == InfeasiblePolicy::error || !problem_.zero_phase) problem_.refuse(excuse());
     const bool close =
-        policy == InfeasiblePolicy::automatic && best_ && best_->report.residual <= solver::negligible_change;
+        policy == InfeasiblePolicy::automatic && best_ && best_->report.residual <= negligible_change;
     if (!close && !problem_.of_no_surface) choose(wider());
   }
 
   // Of the change that the automatic answer makes.
-  double bound() const { return std::max(solver::largest_change, problem_.request.acf_tolerance); }
+  double bound() const { return std::max(largest_change, problem_.request.acf_tolerance); }
 
   // Why there is no kernel, and what can be done.
   std::string excuse() const {
@@ -134,18 +147,18 @@ class KernelSolver {
 double unknowns(Shape lags) { return static_cast<double>(lags.nx) * static_cast<double>(lags.ny); }
 
 std::string too_many(Shape lags) {
-  return text(lags) + ": more than " + std::to_string(static_cast<long>(solver::most_unknowns)) + " in all";
+  return text(lags) + ": more than " + std::to_string(static_cast<long>(most_unknowns)) + " in all";
 }
 
 // ---- the choice of lags ----
 
 Shape more(Shape lags) {
-  auto grown = [](Index n) { return static_cast<Index>(std::ceil(solver::growth * static_cast<double>(n))); };
+  auto grown = [](Index n) { return static_cast<Index>(std::ceil(growth * static_cast<double>(n))); };
   return {grown(lags.nx), grown(lags.ny)};
 }
 
 void refuse_too_many(const KernelRequest& request, Shape lags) {
-  if (unknowns(lags) > solver::most_unknowns)
+  if (unknowns(lags) > most_unknowns)
     throw ParameterError("acf-tolerance", number(request.acf_tolerance) + ": needs lags of " +
                                               too_many(lags) + "; prescribe fewer lags");
 }
@@ -155,11 +168,11 @@ bool belongs_to_no_surface(const KernelRequest& request) {
   if (request.formulation == Formulation::patir) return false;
   auto least = [&](double fallen) {
     const Shape lags = request.target.reach(fallen);
-    if (unknowns(lags) > solver::most_unknowns) return 0.0;
+    if (unknowns(lags) > most_unknowns) return 0.0;
     return ZeroPhaseEquations(request.target, lags, request.target.oriented).feasibility().least;
   };
-  const double near = least(solver::near);
-  return near < 0 && least(solver::far) < solver::still_negative * near;
+  const double near = least(nearer);
+  return near < 0 && least(farther) < still_negative * near;
 }
 
 Kernel solve_at(const KernelRequest& request, Shape lags, bool of_no_surface = false) {
@@ -187,10 +200,14 @@ Kernel solve_at_open_lags(const KernelRequest& request) {
     const bool enough = search.solved() && search.best().report.error <= request.acf_tolerance;
     const bool hopeful = request.formulation != Formulation::patir &&
                          (search.solved() || request.method == Method::newton_krylov);
-    const bool last = trial == solver::most_trials || unknowns(more(lags)) > solver::most_unknowns ||
+    const bool last = trial == most_trials || unknowns(more(lags)) > most_unknowns ||
                       kernel_cost(more(lags)).memory > request.memory;
     if (enough || !hopeful || last) return search.finish();
   }
+}
+
+std::string megabytes(double bytes) {
+  return (bytes < 1e7 ? number(bytes / 1e6) : std::to_string(std::llround(bytes / 1e6))) + "MB";
 }
 
 void scale(Kernel& kernel, double rms) {
@@ -202,8 +219,38 @@ void scale(Kernel& kernel, double rms) {
 
 }  // namespace
 
+Shape first_lags(const KernelRequest& request) {
+  if (request.lags != Shape{}) return request.lags;
+  if (request.target.known) return *request.target.known;
+  if (!request.target.reach)
+    throw ParameterError("lags", "are required: the reach of this target is not known");
+  return request.target.reach(std::min(cut_over_error * request.acf_tolerance, 0.5));
+}
+
+KernelCost kernel_cost(Shape lags) { return {1500 * unknowns(lags), 160 * unknowns(lags)}; }
+KernelCost wider_kernel_cost(Shape lags, Index torus) {
+  const double points = static_cast<double>(torus * torus) * unknowns(lags);
+  return {250 * points, 40 * points};
+}
+
+KernelCost periodic_kernel_cost(Shape torus) { return {150 * unknowns(torus), 16 * unknowns(torus)}; }
+
+void check_memory(KernelCost cost, double memory, Shape torus) {
+  if (cost.memory > memory)
+    throw ParameterError("memory", megabytes(memory) + ": a kernel of the period, " + text(torus) +
+                                       " points, takes some " + megabytes(cost.memory));
+}
+
+void check_memory(const KernelRequest& request, Shape lags, KernelCost cost) {
+  if (cost.memory <= request.memory) return;
+  throw ParameterError("memory", megabytes(request.memory) + ": a kernel of " + text(lags) +
+                                     " lags needs some " + megabytes(cost.memory) +
+                                     "; shorter lengths, wider samples, fewer lags or a "
+                                     "larger `acf-tolerance` need less");
+}
+
 bool allows(InfeasiblePolicy policy, double change) {
-  if (policy == InfeasiblePolicy::automatic) return change <= solver::largest_change;
+  if (policy == InfeasiblePolicy::automatic) return change <= largest_change;
   return policy != InfeasiblePolicy::error || change == 0;
 }
 
@@ -213,7 +260,7 @@ void check_rms(double rms) {
 
 void KernelRequest::check() const {
   check_parameter(lags == Shape{} || (lags.nx >= 1 && lags.ny >= 1), "lags", text(lags) + ": at least 1x1");
-  check_parameter(unknowns(lags) <= solver::most_unknowns, "lags", too_many(lags));
+  check_parameter(unknowns(lags) <= most_unknowns, "lags", too_many(lags));
   check_rms(rms);
   check_parameter(tolerance >= 1e-13 && tolerance <= 1e-2, "tolerance",
                   number(tolerance) + " does not lie in 1e-13 ... 1e-2");

@@ -16,7 +16,17 @@
 ///           lags on, within 2e-3, 4e-4, 2e-5, 1.3e-6 from 31 × 31 (validation/acf_error_time.cpp).
 /// Cost      4–6 Newton steps, 8–40 Jacobian products, each of two transforms there and back of (3n)(3m)
 ///           points. From 15 × 15 lags on the whole takes 1.4–1.7 times its transforms, 1.4–2 where oriented,
-///           1.15 in Patir's formulation; below, plans and tables are 0.1 ms. Memory: acf/kernel_cost.hpp.
+///           1.15 in Patir's formulation; below, plans and tables are 0.1 ms.
+/// Memory    A search begins with the lags prescribed, those of a table, or those beyond which the target
+///           has fallen to 5 acf_tolerance, and may go on to more, a fifth at a time. With a tool's tables a
+///           kernel of n × m lags takes
+///               1500 n m bytes (160 n m of them in a dataset),                                          (2)
+///           or, if it needs a wider one (exponentials of more than about 300 lags) or is the root of a
+///           spectrum,
+///               250 f² n m bytes (40 f² n m of them in a dataset),                                      (3)
+///           f = 4, or more for tables of long waves. The peaks of asperity-kernel are 0.2 to 0.8 times these
+///           at 70² to 550² lags, those of asperity-generate 0.5 to 1, and up to 15 MB that the allocator
+///           keeps.
 ///
 /// N. Patir, Wear 47 (1978) 263-277; V. Bakolas, Numerical generation of arbitrarily oriented non-Gaussian
 /// three-dimensional rough surfaces, Wear 254 (2003) 546-554.
@@ -25,14 +35,34 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 
-#include "acf/iteration.hpp"
 #include "acf/target.hpp"
-#include "core/enum_words.hpp"
 #include "core/field.hpp"
+#include "core/enum_words.hpp"
 
 namespace asperity {
+
+// ---- an iteration ----
+
+struct IterationStep {
+  long step = 0;        ///< 0: the start
+  long products = 0;    ///< with the Jacobian, or transforms there and back where there is none
+  double residual = 0;  ///< max |R - target| over the equations [σ²]
+  double spent = 0;     ///< the share used up of the steps or products that it may take
+};
+
+using IterationObserver = std::function<void(const IterationStep&)>;
+
+struct IterationResult {
+  bool converged = false;
+  std::string reason;  ///< how it ended
+  long steps = 0, residuals = 0, jacobian_products = 0, preconditionings = 0;
+  double equation_seconds = 0;  ///< in residuals, products and preconditionings of Newton's iteration
+};
+
+// ---- a request and its answer ----
 
 enum class Formulation {
   symmetric,  ///< kernel even in k and l: R is even in p and q
@@ -80,8 +110,8 @@ struct KernelRequest {
   double tolerance = 1e-10;  ///< on the residual [σ²], 1e-13 … 1e-2
   /// On the error over all lags where `lags` is left open, else on the change; 1e-8 … 0.5.
   double acf_tolerance = 1e-3;
-  double memory = std::numeric_limits<double>::infinity();   ///< bound of acf/kernel_cost.hpp [byte]
-  std::function<void(const KernelProgress&)> progress = {};  ///< told of every step
+  double memory = std::numeric_limits<double>::infinity();   ///< bound of (2) and (3) [byte]
+  std::function<void(const KernelProgress&)> progress = {};  ///< called with every step
 
   void check() const;
 };
@@ -122,5 +152,27 @@ Kernel solve_kernel(const KernelRequest& request);
 
 /// (1) at p = 0 … rows-1 and q = -columns/2 … columns/2, columns odd.
 Field autocorrelation(const Field& kernel, Index rows, Index columns);
+
+// ---- what a kernel costs, known before it is solved for ----
+
+/// Throws ParameterError("lags") where they are open and the target does not say how far it reaches.
+Shape first_lags(const KernelRequest& request);
+
+struct KernelCost {
+  double memory, dataset;  ///< [byte]
+};
+KernelCost kernel_cost(Shape lags);                         ///< (2)
+KernelCost wider_kernel_cost(Shape lags, Index torus = 4);  ///< (3)
+
+/// 150 bytes per point of the torus of acf/periodic.hpp, including 8 in a dataset and 8 for its tables.
+KernelCost periodic_kernel_cost(Shape torus);
+
+/// Throws ParameterError("memory") where that is more than the request allows.
+void check_memory(const KernelRequest& request, Shape lags, KernelCost cost);
+/// The same for a kernel on a torus, given its number of bytes.
+void check_memory(KernelCost cost, double memory, Shape torus);
+
+/// The name and version of the library of Newton's iteration.
+std::string sundials_version();
 
 }  // namespace asperity

@@ -59,9 +59,10 @@ Field half_plane_of(const Target& target, Shape lags) {
   }
   if (target.known) {
     const Index rows = std::max<Index>(lags.nx - target.known->nx, 0),
-                beside = std::max<Index>(lags.ny - target.known->ny, 0);
-    for (auto unknown : {out.block(lags.nx - rows, 0, rows, columns), out.block(0, 0, lags.nx, beside),
-                         out.block(0, columns - beside, lags.nx, beside)})
+                columns_beyond = std::max<Index>(lags.ny - target.known->ny, 0);
+    for (auto unknown :
+         {out.block(lags.nx - rows, 0, rows, columns), out.block(0, 0, lags.nx, columns_beyond),
+          out.block(0, columns - columns_beyond, lags.nx, columns_beyond)})
       unknown.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   return out;

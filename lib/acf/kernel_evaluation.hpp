@@ -1,4 +1,4 @@
-/// What a kernel achieves: its autocorrelation beside the target, and the largest errors.
+/// What a kernel achieves: its autocorrelation, to compare with the target, and the largest errors.
 #pragma once
 
 #include <optional>

@@ -5,19 +5,20 @@
 #include <Eigen/Core>
 #include <sundials/sundials_version.h>
 
-#include "acf/iteration.hpp"
+#include "acf/kernel.hpp"
 #include "core/field.hpp"
-#include "core/room.hpp"
+#include "core/memory.hpp"
 
 namespace asperity {
 
 namespace {
 
-constexpr std::align_val_t alignment{64};     // of the values
-constexpr std::size_t small_parts = 1 << 20;  // bytes that SUNDIALS takes beside the vectors, and some more
-constexpr std::size_t page = 1 << 12;         // by which the allocator rounds
+constexpr std::align_val_t alignment{64};  // of the values
+constexpr std::size_t small_parts =
+    1 << 20;                           // bytes that SUNDIALS takes in addition to the vectors, and some more
+constexpr std::size_t page = 1 << 12;  // by which the allocator rounds
 
-// SUNDIALS' vector, with what it stands for behind it: in one piece with its values where they are its own.
+// SUNDIALS' vector and its description, in one block with the values where it owns them.
 struct Array {
   _generic_N_Vector vector{};
   Index size = 0;
@@ -72,7 +73,7 @@ _generic_N_Vector_Ops operations() {
 }  // namespace
 
 void kinsol::require_vectors(std::size_t size, std::size_t count) {
-  require_room(count * (description_size + size * sizeof(double) + page) + small_parts);
+  require_memory(count * (description_size + size * sizeof(double) + page) + small_parts);
 }
 
 kinsol::Vector kinsol::vector_of(std::span<double> values, sundials::Context& context) {

@@ -5,6 +5,7 @@
 /// there is memory for all its vectors.
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <new>
 #include <span>
@@ -33,6 +34,27 @@ using Kinsol = std::unique_ptr<void, Release<free_kinsol>>;
 inline void check(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(std::string(call) + " failed with " + std::to_string(flag));
 }
+
+/// What C calls back must not throw: the exception is kept, and thrown where the library has returned.
+class GuardedCall {
+ public:
+  /// What work() returns, or `failed`.
+  template <class Work>
+  int operator()(int failed, Work work) noexcept {
+    try {
+      return work();
+    } catch (...) {
+      failure_ = std::current_exception();
+      return failed;
+    }
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::exception_ptr failure_;
+};
 
 /// Prints nothing on stderr: the result of an iteration says how it ended.
 inline void silence([[maybe_unused]] void* kinsol, [[maybe_unused]] sundials::Context& context) {

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <memory>
 
-#include "acf/guarded_call.hpp"
 #include "acf/kinsol.hpp"
 #include "core/stopwatch.hpp"
 #include "core/words.hpp"
@@ -20,8 +19,9 @@ constexpr int most_refusals = 4;
 // What a callback returns to KINSOL.
 constexpr int done = 0, shorten_step = 1, give_up = -1;
 
-// Vectors that are cloned beside the directions of GMRES: one direction more, its two of work, KINSOL's five.
-constexpr std::size_t beside_directions = 8;
+// Vectors that are cloned in addition to the directions of GMRES: one more direction, two for its work, five
+// of KINSOL.
+constexpr std::size_t more_than_directions = 8;
 
 std::string flag_name(int flag) {
   const std::unique_ptr<char, decltype(&std::free)> name(KINGetReturnFlagName(flag), &std::free);
@@ -173,7 +173,7 @@ class Iteration {
 }  // namespace
 
 IterationResult solve_newton_krylov(Equations& equations, std::span<double> u, const NewtonOptions& options) {
-  require_vectors(u.size(), static_cast<std::size_t>(options.krylov_dimension) + beside_directions);
+  require_vectors(u.size(), static_cast<std::size_t>(options.krylov_dimension) + more_than_directions);
   return Iteration(equations, u, options).run();
 }
 

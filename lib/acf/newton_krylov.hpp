@@ -16,7 +16,7 @@
 #include <span>
 
 #include "acf/equations.hpp"
-#include "acf/iteration.hpp"
+#include "acf/kernel.hpp"
 
 namespace asperity {
 

@@ -4,12 +4,12 @@
 /// over the periods,
 ///     R°(p,q) = Σ_j Σ_k R(p + jN, q + kM),                                                              (1)
 /// whose spectrum is that of R at the waves that fit: every autocorrelation of the plane leaves one of the
-/// period. Its variance R°(0,0) is another than R(0,0), 17 times that of a profile 1 × 4096 of 20 samples:
-/// who keeps the rms height divides by it. Where R ends before half a period, R° is R.
+/// period. Its variance R°(0,0) differs from R(0,0), by a factor of 17 for a profile of 1 × 4096 points and a
+/// length of 20 samples: to keep the rms height, divide by it. Where R ends before half a period, R° is R.
 ///
 /// On the torus nothing is left to solve: the kernel is the root of the spectrum,
 ///     kernel^ = √max(R°^, 0),                                                                           (2)
-/// and has R° to round-off, of whatever is positive definite; of what is not, the nearest by its spectrum.
+/// and has R° to round-off where R° is positive definite, otherwise the nearest by its spectrum.
 ///
 /// Symbols   ^ the discrete Fourier transform over the torus
 /// Accuracy  ε log2(N M) of the variance.

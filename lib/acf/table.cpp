@@ -19,7 +19,7 @@ constexpr double rounded_within = 1e-3;                         // of a step
 
 std::string at(Index p, Index q) { return "at lag (" + std::to_string(p) + ", " + std::to_string(q) + ")"; }
 
-void check(const Field& table) {
+void check_table(const Field& table) {
   if (table.rows() < 1 || table.cols() < 1) refuse("the table is empty");
   if (table.cols() % 2 == 0)
     refuse("the table has " + std::to_string(table.cols()) + " columns: lags -Q ... Q are odd in number");
@@ -44,7 +44,7 @@ double skew(const Field& table) { return (table - table.rowwise().reverse()).abs
 
 // ---- lags in any order ----
 
-// The step of lags that are whole multiples of it, the least and the largest of which are given.
+// The step of lags that are whole multiples of it, from the least and the largest of them.
 double step_of(const std::vector<LagValue>& values, double LagValue::*lag) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const LagValue& v : values) {
@@ -101,7 +101,7 @@ Field filled(const std::vector<WholeLag>& values, double most_p, double most_q, 
 }  // namespace
 
 Target target_of_table(Field half_plane) {
-  check(half_plane);
+  check_table(half_plane);
   const Index middle = half_plane.cols() / 2;
   const double variance = half_plane(0, middle);
   half_plane /= variance;

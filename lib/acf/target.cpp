@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <memory>
 #include <numbers>
 
 #include <Eigen/Core>
 
-#include "acf/matern.hpp"
-#include "acf/self_affine.hpp"
+#include "acf/radial.hpp"
 #include "core/words.hpp"
+
+// A model that a switch forgets is an error with any compiler.
+#pragma GCC diagnostic error "-Wswitch"
 
 namespace asperity {
 
@@ -139,9 +143,11 @@ Target radial(const EllipticTarget& t, const Ellipse& ellipse) {
       return stretched(t, ellipse, 2);
     case Model::stretched_exponential:
       return stretched(t, ellipse, t.exponent);
-    default:
+    case Model::exponential:
+    case Model::exponential_cosine:
       return stretched(t, ellipse, 1);
   }
+  std::abort();  // no such model
 }
 
 }  // namespace
@@ -151,22 +157,58 @@ void EllipticTarget::check() const {
   require(std::isfinite(angle), "angle", angle, ": must be finite");
   for (double length : {length_x, length_y}) require_length("length", length);
   for (double spacing : {spacing_x, spacing_y}) require_length("spacing", spacing);
-  if (model == Model::matern)
-    require(smoothness >= 0.01 && smoothness <= 100, "smoothness", smoothness, ": must lie in 0.01 ... 100");
-  if (model == Model::stretched_exponential)
-    require(exponent > 0 && exponent <= 2, "exponent", exponent, ": must be above 0 and at most 2");
-  if (model == Model::self_affine)
-    require(hurst >= 0.01 && hurst <= 1, "hurst", hurst, ": must lie in 0.01 ... 1");
-  if (model == Model::exponential_cosine) require_length("wavelength", wavelength);
+  switch (model) {
+    case Model::matern:
+      return require(smoothness >= 0.01 && smoothness <= 100, "smoothness", smoothness,
+                     ": must lie in 0.01 ... 100");
+    case Model::stretched_exponential:
+      return require(exponent > 0 && exponent <= 2, "exponent", exponent, ": must be above 0 and at most 2");
+    case Model::self_affine:
+      return require(hurst >= 0.01 && hurst <= 1, "hurst", hurst, ": must lie in 0.01 ... 1");
+    case Model::exponential_cosine:
+      return require_length("wavelength", wavelength);
+    case Model::exponential:
+    case Model::gaussian:
+      return;
+  }
 }
 
 double EllipticTarget::level_radius() const {
   check();
-  if (model == Model::matern) return radius_of(MaternCorrelation(smoothness), level);
-  if (model == Model::self_affine) return radius_of(SelfAffineCorrelation(hurst), level);
-  const double power = model == Model::gaussian ? 2 : model == Model::stretched_exponential ? exponent : 1;
-  return std::pow(-std::log(level), 1 / power);
+  switch (model) {
+    case Model::matern:
+      return radius_of(MaternCorrelation(smoothness), level);
+    case Model::self_affine:
+      return radius_of(SelfAffineCorrelation(hurst), level);
+    case Model::gaussian:
+      return std::pow(-std::log(level), 0.5);
+    case Model::stretched_exponential:
+      return std::pow(-std::log(level), 1 / exponent);
+    case Model::exponential:
+    case Model::exponential_cosine:
+      return -std::log(level);
+  }
+  std::abort();  // no such model
 }
+
+double EllipticTarget::spectrum(double squared) const {
+  switch (model) {
+    case Model::gaussian:
+      return std::exp(-squared / 4);
+    case Model::matern:
+      return std::pow(1 + squared, -1 - smoothness);
+    case Model::self_affine:
+      return std::pow(std::max(squared, 1.0), -1 - hurst);
+    case Model::exponential:
+    case Model::exponential_cosine:
+      return std::pow(1 + squared, -1.5);
+    case Model::stretched_exponential:
+      break;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+bool EllipticTarget::has_spectrum() const { return !std::isnan(spectrum(1)); }
 
 Target EllipticTarget::target() const {
   check();

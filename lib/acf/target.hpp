@@ -10,10 +10,18 @@
 ///     exponential           exp(-r)
 ///     gaussian              exp(-r²)
 ///     stretched exponential exp(-r^β), 0 < β ≤ 2
-///     Matérn                acf/matern.hpp, 0.01 ≤ ν ≤ 100
-///     self-affine           acf/self_affine.hpp, 0.01 ≤ H ≤ 1
+///     Matérn                acf/radial.hpp, 0.01 ≤ ν ≤ 100
+///     self-affine           acf/radial.hpp, 0.01 ≤ H ≤ 1
 ///     exponential-cosine    (1) with exp(-r), times cos(2πx'/wavelength): a machined lay across x'.
-/// All are positive definite in the plane, the last as a product of two that are.
+/// All are positive definite in the plane, the last as a product of two that are. With s the length of a wave
+/// number in reciprocals of the lengths over r*, their spectra are proportional to
+///     exponential  (1 + s²)^-3/2       Matérn       (1 + s²)^-(1+ν)
+///     gaussian     exp(-s²/4)          self-affine  1 for s ≤ 1, s^-2(1+H) beyond                       (2)
+/// and that of the exponential-cosine is half the exponential's at q ± 2π/wavelength along x'. The stretched
+/// exponential has none in closed form.
+///
+/// A new model is a word and a value of Model, and a case in each `switch` of target.cpp: the compiler
+/// refuses one that is forgotten.
 ///
 /// Symbols   λx, λy    lags                     λx*, λy*  lengths at `level`
 ///           Δx, Δy    spacing                  θ         angle from x towards y [rad]
@@ -30,8 +38,8 @@
 #include <span>
 #include <type_traits>
 
-#include "core/enum_words.hpp"
 #include "core/field.hpp"
+#include "core/enum_words.hpp"
 
 namespace asperity {
 
@@ -85,6 +93,9 @@ struct EllipticTarget {
   /// r* of (1), as target() checks it: a length over it is the unit in which the model's ρ(r) is written,
   /// 1/q_r of a self-affine surface.
   double level_radius() const;
+  /// (2) at s², of the exponential-cosine that of its envelope; NaN where there is no closed form.
+  double spectrum(double squared) const;
+  bool has_spectrum() const;
   /// Checks, and throws ParameterError("length-level") too when ρ passes the level nearer to 0 than r =
   /// 1e-300.
   ///
@@ -93,5 +104,19 @@ struct EllipticTarget {
   /// then R(p,-q) = R(p,q) to the last bit; equal lengths of a radial model need no angle.
   Target target() const;
 };
+
+/// What one model has for itself. Tools have options of these names, datasets attributes with kernel_ before
+/// them.
+struct ShapeParameter {
+  const char* name;
+  Model model;  ///< that has it
+  double EllipticTarget::*value;
+  bool is_length = false;
+};
+inline constexpr ShapeParameter shape_parameters[] = {
+    {"smoothness", Model::matern, &EllipticTarget::smoothness},
+    {"exponent", Model::stretched_exponential, &EllipticTarget::exponent},
+    {"hurst", Model::self_affine, &EllipticTarget::hurst},
+    {"wavelength", Model::exponential_cosine, &EllipticTarget::wavelength, true}};
 
 }  // namespace asperity

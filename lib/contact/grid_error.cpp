@@ -10,7 +10,6 @@
 #include "core/error.hpp"
 #include "core/halved.hpp"
 #include "core/stopwatch.hpp"
-#include "math/grid_change.hpp"
 
 namespace asperity {
 namespace {

@@ -5,7 +5,7 @@
 ///
 /// The contact of the mean gaps of 2 × 2 and of 4 × 4 cells is solved from the mean pressures. With a figure
 /// v on n, n/2 and n/4 cells a side,
-///     m = max(|v(n) - v(n/2)|, ¼ |v(n/2) - v(n/4)|)   (math/grid_change.hpp),                    (1)
+///     m = max(|v(n) - v(n/2)|, ¼ |v(n/2) - v(n/4)|)   (core/halved.hpp),                    (1)
 /// and each error is a share of m (contact/grid_error.cpp). An order is not fitted: the figures of a rough
 /// contact have none, and the first difference is near zero by accident. For the largest pressure the rise of
 /// the parabolas through it and its neighbours counts too; the areas have errors of their own outline, and

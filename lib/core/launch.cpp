@@ -7,7 +7,6 @@
 #include "core/error.hpp"
 #ifdef ASPERITY_MPI
 #include "core/module.hpp"
-#include "core/mpi.hpp"
 #endif
 
 namespace asperity {

@@ -1,13 +1,12 @@
 /// Functions of a shared library that is loaded when the first of them is called.
 ///
-/// NetCDF-4 and zip archives bring forty libraries with them, for cryptography and the network among others,
-/// which took more than half of the time in which a tool starts; FFTW in single precision takes a tenth. Few
-/// runs need them.
+/// NetCDF-4 and zip archives load forty libraries, for cryptography and the network among others, which took
+/// more than half of a tool's start; FFTW in single precision takes a tenth. Few runs need them.
 ///
 ///     const auto read = ASPERITY_FROM_MODULE("asperity_netcdf4", asperity_read_netcdf4);
 ///
-/// The library stands beside the one that loads it, or where the system looks. Where the libraries are static
-/// its functions are linked like any other.
+/// The library is in the folder of the one that loads it, or where the system looks. Where the libraries are
+/// static its functions are linked like any other.
 #pragma once
 
 #ifdef ASPERITY_MODULES

@@ -1,5 +1,3 @@
-#include "core/mpi.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -9,6 +7,8 @@
 #include <thread>
 #include <unistd.h>
 #include <vector>
+
+#include "core/launch.hpp"
 
 #define OMPI_SKIP_MPICXX 1  // C++ bindings of old
 #include <mpi.h>
@@ -50,7 +50,7 @@ class MpiRanks final : public Ranks {
         each_message(from[static_cast<std::size_t>(r)], [&](std::byte* at, int bytes) {
           MPI_Irecv(at, bytes, MPI_BYTE, r, 0, MPI_COMM_WORLD, &requests.emplace_back());
         });
-    // Every rank begins with the one behind it, so that not all send to one.
+    // Every rank begins with the next one, so that not all send to one.
     for (int k = 1; k < count_; ++k) {
       const int r = (rank_ + k) % count_;
       each_message(to[static_cast<std::size_t>(r)], [&](const std::byte* at, int bytes) {

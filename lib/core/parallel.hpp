@@ -16,7 +16,7 @@ namespace asperity {
 
 /// Whether this thread works alone.
 bool works_alone();
-/// It does from here on, and to its end.
+/// From now on, to the thread's end.
 void work_alone();
 
 /// Number of threads for a request on the command line; 0: all of the machine. 1 where a thread works alone.

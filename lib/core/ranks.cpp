@@ -41,7 +41,7 @@ double largest(const Ranks& ranks, double own) {
 namespace {
 
 // Kind, name and words of an error, for other ranks.
-std::string told(char kind, const std::string& name, const char* words) {
+std::string packed_error(char kind, const std::string& name, const char* words) {
   return kind + name + '\0' + words + '\0';
 }
 
@@ -49,13 +49,13 @@ std::string error_of(const std::function<void()>& work) try {
   work();
   return "";
 } catch (const ParameterError& e) {
-  return told('p', e.name, e.what());
+  return packed_error('p', e.name, e.what());
 } catch (const DataError& e) {
-  return told('d', e.name, e.what());
+  return packed_error('d', e.name, e.what());
 } catch (const std::bad_alloc&) {
-  return told('r', "", "out of memory");
+  return packed_error('r', "", "out of memory");
 } catch (const std::exception& e) {
-  return told('r', "", e.what());
+  return packed_error('r', "", e.what());
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 /// Several processes that solve one problem, each on some of its rows.
 ///
-/// A rank is one of them. What ranks tell each other goes through one function, an exchange of bytes in which
-/// each has a piece for each; rows of others, sums and transposes are made of it. Alone, a process is the
+/// A rank is one of them. All communication goes through one function, an exchange of bytes in which each
+/// rank has a piece for each other; rows of other ranks, sums and transposes use it. Alone, a process is the
 /// only rank, and nothing moves.
 ///
 /// A field of n rows is dealt in runs of 64, the strips of contact/relaxation.hpp: a rank holds its own rows
@@ -33,8 +33,8 @@ class Ranks {
   virtual int count() const { return 1; }
   /// Sends to[r] to rank r, and puts what rank r has for this one into from[r], of the same length.
   virtual void exchange(const Pieces& to, const Room& from) const;
-  /// The end of this rank's run, with an exit code. Where others do not come to theirs, because they wait for
-  /// this one, it says its last words and ends them all.
+  /// Ends this rank's run with an exit code. Where the others do not end, because they wait for this one, it
+  /// prints its last words and ends them all.
   virtual void end(int code, const std::string& last_words) const;
 };
 
@@ -46,10 +46,10 @@ class Slabs {
  public:
   static constexpr Index run = 64;
 
-  /// In runs of 64, unless what is shared wants other ones.
+  /// In runs of 64, unless the shared field needs other ones.
   explicit Slabs(Index rows, const Ranks& ranks = alone(), Index run_of = run)
       : rows_(rows), run_(run_of), ranks_(&ranks) {}
-  /// Of rows that stand for `factor` each, 64 a multiple of it: a rank holds those of its own.
+  /// The slabs of a coarser field, each row of which stands for `factor` rows, a divisor of 64.
   Slabs coarsened(Index factor) const { return Slabs((rows_ + factor - 1) / factor, *ranks_, run_ / factor); }
 
   const Ranks& ranks() const { return *ranks_; }
@@ -78,15 +78,15 @@ class Slabs {
   const Ranks* ranks_;
 };
 
-/// Of all ranks one after the other. T is plain data.
+/// The values of all ranks, one rank after the other. T is plain data.
 template <class T>
 std::vector<T> gathered(const Ranks& ranks, const std::vector<T>& own);
 
-/// The largest that a rank has; NaN where one has it.
+/// The largest value of any rank; NaN if one of them is NaN.
 double largest(const Ranks& ranks, double own);
 
-/// Work that may fail on some ranks: where it does, all throw the error of the first of these, a
-/// ParameterError, a DataError or a std::runtime_error.
+/// Does work that may fail on some ranks: all then throw the error of the first of them, a ParameterError, a
+/// DataError or a std::runtime_error.
 void agree(const Ranks& ranks, const std::function<void()>& work);
 
 /// Ranks share grids above 512 × 512 cells of 64 rows each or more; on others each does all.
@@ -94,16 +94,16 @@ Slabs shared_rows(Shape shape, const Ranks& ranks);
 
 using ConstRows = Eigen::Ref<const Field>;
 
-/// Rows of a field by their number, whoever holds them; each rank wants its own.
+/// Rows of a field by their number, from whichever rank holds them; each rank asks for its own list.
 Field rows_of(const ConstRows& own, const Slabs& slabs, const std::vector<Index>& wanted);
 Field rows_of(const ConstRows& own, const Slabs& slabs, Extent wanted);
 
-/// The columns of the same field that fall to this rank, dealt as rows, each as a row.
+/// The transposed field, dealt as rows: this rank's columns of the field, each as a row.
 Field transposed(const ConstRows& own, const Slabs& slabs);
 
 // ---- implementation ----
 
-/// What each rank has for each, of a number that both know: out[r] of from(r) numbers.
+/// Exchanges lists whose lengths both sides know: out[r], of from(r) values, is what rank r sends.
 template <class T, class Count>
 std::vector<std::vector<T>> exchanged(const Ranks& ranks, const std::vector<std::vector<T>>& to, Count from) {
   std::vector<std::vector<T>> out(to.size());

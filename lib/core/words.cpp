@@ -79,7 +79,7 @@ std::string in_digits(double value, int most) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value, general, most).ptr};
 }
 
-// from_chars does not tell which of the two it is. Independent of the locale of the process.
+// from_chars does not say which of the two it is. Independent of the locale of the process.
 double beyond_range(std::string_view number) {
   static const locale_t c = ::newlocale(LC_ALL_MASK, "C", nullptr);
   return ::strtod_l(std::string(number).c_str(), nullptr, c);

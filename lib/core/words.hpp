@@ -70,7 +70,7 @@ std::string utf8_of(std::string_view text);
 inline constexpr std::size_t longest_line = 1000;
 /// UTF-8 with blanks in place of line ends, control characters, changes of the direction of writing, and
 /// characters not allowed in XML. If longer than `most` characters, an ellipsis replaces the middle: the
-/// beginning of a message tells where, its end what to do.
+/// beginning of a message says where, its end what to do.
 std::string one_line(std::string_view text, std::size_t most = longest_line);
 
 }  // namespace asperity

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/large_field.hpp"
+#include "core/memory.hpp"
 #include "core/words.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/units.hpp"

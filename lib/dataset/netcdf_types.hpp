@@ -10,7 +10,7 @@
 #include <netcdf.h>
 
 #include "core/error.hpp"
-#include "core/large_pages.hpp"
+#include "core/memory.hpp"
 #include "dataset/dataset.hpp"
 
 namespace asperity::netcdf {

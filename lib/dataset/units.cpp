@@ -10,7 +10,7 @@
 #include <udunits2.h>
 
 #include "core/error.hpp"
-#include "core/room.hpp"
+#include "core/memory.hpp"
 #include "core/words.hpp"
 #include "dataset/catalogue.hpp"
 #include "dataset/conventions.hpp"
@@ -48,7 +48,7 @@ constexpr std::size_t room_for_database = 2 << 20, room_for_unit = 1 << 18;
 // The database of units, read once.
 const ut_system* units() {
   static const std::unique_ptr<ut_system, Release<ut_free_system>> system(
-      (require_room(room_for_database), ut_read_xml(nullptr)));
+      (require_memory(room_for_database), ut_read_xml(nullptr)));
   if (!system)
     throw std::runtime_error("cannot read the units database of UDUNITS-2: check its installation");
   return system.get();
@@ -61,7 +61,7 @@ Unit known(const std::string& name) {
   if (std::ranges::any_of(name, [](unsigned char c) { return c < 0x20; }) ||
       std::ranges::count(name, '(') != std::ranges::count(name, ')'))
     return nullptr;
-  require_room(room_for_unit);
+  require_memory(room_for_unit);
   const std::size_t first = std::min(name.find_first_not_of(' '), name.size()),
                     behind = name.find_last_not_of(' ') + 1;  // padding by programs with fixed widths
   return Unit(ut_parse(all, utf8_of(name.substr(first, behind - first)).c_str(), UT_UTF8));

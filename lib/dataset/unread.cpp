@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/large_pages.hpp"
+#include "core/memory.hpp"
 #include "dataset/big_endian.hpp"
 
 namespace asperity {

@@ -3,8 +3,8 @@
 /// With h_k = He_k/√k! the orthonormal Hermite polynomials and c_k = E[g(y) h_k(y)],
 ///     R_z(ρ) = E[z z'] = Σ_{k≥1} c_k² ρᵏ,    Σ c_k² = 1,                                                 (1)
 /// (Mehler), increasing in ρ as g is in y. A target r therefore asks for ρ = R_z⁻¹(r), and exists only for r
-/// ≥ R_z(-1), which is -1 for a symmetric distribution alone: peaks on one side have no valleys to stand
-/// against.
+/// ≥ R_z(-1), which is -1 for a symmetric distribution alone: with peaks on one side only, no valleys match
+/// them.
 ///
 /// The series is summed to 1e-13 of the variance, or to the last order that the quadrature resolves; what is
 /// left goes to the next order, so that R_z(1) = 1, and bounds the error, `tail`. The inverse is tabulated at

@@ -4,8 +4,8 @@
 /// is a target like any other: a surface z = σ g(y) drawn with its kernel has R_z of what the kernel
 /// achieves.
 ///
-/// No ρ gives a correlation below R_z(-1); the target is then R_z(-1) there. For a smooth target the spectrum
-/// of ρ may become slightly negative; acf/attempts.hpp deals with that.
+/// No ρ gives a correlation below R_z(-1); there the target is R_z(-1). For a smooth target the spectrum of ρ
+/// may become slightly negative; acf/attempts.hpp has the remedy.
 ///
 /// M. Grigoriu, Simulation of stationary non-Gaussian translation processes, J. Eng. Mech. 124 (1998)
 /// 121-126.

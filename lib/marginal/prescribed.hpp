@@ -1,4 +1,4 @@
-/// From a prescribed skewness and kurtosis to what a surface is drawn with.
+/// The translation of heights, or of noise, that a prescribed skewness and kurtosis need.
 ///
 /// Translation   the heights are z = σ g(y) of a Gaussian field y (marginal/translation.hpp): any pair that
 ///               there is, and the autocorrelation of y is predistorted (marginal/predistortion.hpp).
@@ -9,9 +9,9 @@
 ///
 /// Where a skewness alone is given, the kurtosis follows it as in the gamma family,
 ///     K = 3 + 1.5 Sk²,                                                                                  (2)
-/// that of sums of skewed heights of one sign, 3 of a Gaussian. Johnson's distribution of these moments is
-/// S_B, of one peak, and ends 2.4 Sq from the mean on the short side at |Sk| = 1, 1.3 at 2; of a kurtosis of
-/// 3 at |Sk| = 1 it would be J-shaped, cut at 1.1 Sq.
+/// that of sums of heights skewed to one side, and 3 of a Gaussian. Johnson's distribution of these moments
+/// is S_B, of one peak, and ends 2.4 Sq from the mean on the short side at |Sk| = 1, 1.3 at 2; of a kurtosis
+/// of 3 at |Sk| = 1 it would be J-shaped, cut at 1.1 Sq.
 ///
 /// Every distribution has K ≥ Sk² + 1. If a kurtosis is too low for the heights or for the noise, the least
 /// kurtosis possible at that skewness replaces it, if the request allows this.

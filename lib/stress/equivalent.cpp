@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/large_field.hpp"
+#include "core/memory.hpp"
 
 namespace asperity {
 namespace {

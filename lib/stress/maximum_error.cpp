@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "math/grid_change.hpp"
+#include "core/halved.hpp"
 #include "stress/equivalent.hpp"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 /// The error that a grid leaves in the largest stress below a contact, and what it misses at an edge.
 ///
-/// With m of math/grid_change.hpp over the maxima below the contact on n, n/2 and n/4 cells, and the depth in
+/// With m of core/halved.hpp over the maxima below the contact on n, n/2 and n/4 cells, and the depth in
 /// cells c = max(1, z/h),
 ///     error of the value   max(0.28 m, 0.03/c² of it, 2e-5 of it),                               (1)
 ///     error of its depth   max(0.275 √c m', 5e-4 z, ¼ h - z), 0.41 for 0.275 at a limit pressure, (2)

@@ -6,7 +6,7 @@
 // stored where the modes will be (stress/kernel_columns.hpp).
 #include <algorithm>
 
-#include "core/large_field.hpp"
+#include "core/memory.hpp"
 #include "core/parallel.hpp"
 #include "stress/layer_plan.hpp"
 

@@ -38,7 +38,7 @@ Synthesis::Synthesis(Field kernel, Shape surface, Options options)
 std::size_t Synthesis::bytes(Index strips, int threads) const {
   const Index rows = strips * filter_.tile.nx;
   const Index values = (rows + kernel_.rows() - 1) * noise_columns() + rows * surface_.ny;
-  return options_.beside + size(values) * sizeof(double) + filter_.shared_bytes +
+  return options_.memory_elsewhere + size(values) * sizeof(double) + filter_.shared_bytes +
          size(threads) * filter_.worker_bytes;
 }
 
@@ -55,7 +55,7 @@ void Synthesis::choose_band() {
   while (strips_ > 1 && bytes(strips_, options_.threads) > options_.memory) strips_ -= 1;
 }
 
-// Rows first, first + 1, … of the noise, which repeats itself below and beside a periodic surface.
+// Rows first, first + 1, … of the noise, which repeats along both axes of a periodic surface.
 void Synthesis::draw(const WhiteNoise& noise, Index first, Eigen::Ref<Field> rows) const {
   const Index drawn = options_.periodic ? std::min(surface_.ny, rows.cols()) : rows.cols();
   parallel_ranges(rows.rows(), options_.threads, [&](Index begin, Index end, int) {

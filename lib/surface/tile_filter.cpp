@@ -1,11 +1,10 @@
-#include "surface/tile_filter.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
 
+#include "surface/synthesis.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {

@@ -1,6 +1,6 @@
 /// Blocks of eight columns whose rows ranks share: each rank works on some of the blocks, with all rows.
 ///
-/// A rank has its own rows of all blocks, [block][row][8]. What goes to another lies in one piece; the blocks
+/// A rank has its own rows of all blocks, [block][row][8]. What goes to another is one piece; the blocks
 /// come some at a time, so that the buffer stays small.
 ///
 ///     BlockExchange<Complex> blocks(rows, count, threads);

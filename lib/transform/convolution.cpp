@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-constexpr Index width = PrunedTransform::width;
+constexpr Index block_width = PrunedTransform::width;
 
 // Below this many cells a thread costs more than it saves.
 constexpr Index cells_worth_a_thread = 128 * 128;
@@ -59,8 +59,8 @@ std::byte* room_in(const WorkSpace& work, std::size_t bytes) {
 
 Extent symbol_columns(Shape torus, const Ranks& ranks, int rank) {
   const Extent blocks = PrunedTransform::blocks_of(torus, ranks, rank);
-  const Index first = blocks.first * width;
-  return {first, std::min(blocks.end() * width, torus.ny / 2 + 1) - first};
+  const Index first = blocks.first * block_width;
+  return {first, std::min(blocks.end() * block_width, torus.ny / 2 + 1) - first};
 }
 
 namespace {
@@ -127,7 +127,7 @@ BasicEvenConvolution<Real>::BasicEvenConvolution(Shape field, Shape torus, const
       work_(work ? std::move(work) : std::make_shared<WorkSpace::element_type>()),
       threads_(useful_threads(field, threads)) {
   const Index rows = torus.nx / 2 + 1;
-  symbol_.resize(size(transform_.own_blocks().count * rows * width));
+  symbol_.resize(size(transform_.own_blocks().count * rows * block_width));
   const double scale = 1.0 / (unit_ * static_cast<double>(torus.cells()));
   for (Index k = 0; k < symbol.cols(); ++k)
     for (Index i = 0; i < rows; ++i) symbol_[size(k * rows + i)] = static_cast<Real>(scale * symbol(i, k));
@@ -158,8 +158,8 @@ auto BasicEvenConvolution<Real>::half_spectrum() const -> std::span<Number> {
 template <class Real>
 void BasicEvenConvolution<Real>::multiply(Index b, Number* block) const {
   const Index nx = transform_.torus().nx, rows = nx / 2 + 1, first = transform_.own_blocks().first;
-  for (Index q = 0; q < width; ++q) {
-    const Real* s = symbol_.data() + ((b - first) * width + q) * rows;
+  for (Index q = 0; q < block_width; ++q) {
+    const Real* s = symbol_.data() + ((b - first) * block_width + q) * rows;
     Number* x = block + q * transform_.stride();
     for (Index i = 0; i < rows; ++i) x[i] *= s[i];
     for (Index i = rows; i < nx; ++i) x[i] *= s[nx - i];

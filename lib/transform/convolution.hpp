@@ -37,7 +37,7 @@ inline Extent symbol_columns(Shape torus, const Ranks& ranks) {
 
 /// Memory that convolutions use in turn.
 using WorkSpace = std::shared_ptr<AlignedVector<std::byte>>;
-/// Of so many bytes at least, whatever they hold.
+/// At least so many bytes of it, not initialised.
 std::byte* room_in(const WorkSpace& work, std::size_t bytes);
 
 template <class Real>

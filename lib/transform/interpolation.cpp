@@ -7,19 +7,19 @@
 namespace asperity {
 namespace {
 
-constexpr double width = Interpolation::taps;
-constexpr double beta = 0.75 * std::numbers::pi * width;  // the bell's spectrum falls until 3π/2
+constexpr double bell_width = Interpolation::taps;
+constexpr double beta = 0.75 * std::numbers::pi * bell_width;  // the bell's spectrum falls until 3π/2
 
 double bell(double x) {
-  const double u = 2 * x / width;
+  const double u = 2 * x / bell_width;
   return std::abs(u) < 1 ? std::cyl_bessel_i(0.0, beta * std::sqrt(1 - u * u)) : 0;
 }
 
 }  // namespace
 
 double Interpolation::prepared(double k) {
-  const double g = std::sqrt(beta * beta - k * k * width * width / 4);
-  return g / (width * std::sinh(g));
+  const double g = std::sqrt(beta * beta - k * k * bell_width * bell_width / 4);
+  return g / (bell_width * std::sinh(g));
 }
 
 Interpolation::Interpolation(Index s)

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/large_field.hpp"
+#include "core/memory.hpp"
 #include "core/parallel.hpp"
 
 namespace asperity {
 namespace {
 
-// Room for the longest lag beside the field: nothing wraps onto a lag requested.
+// Padded by the longest lag: nothing wraps onto a requested lag.
 Shape torus_for(const Grid& grid, Shape max_lag) {
   if (grid.periodic.both()) return grid.shape;
   return {fast_length(grid.shape.nx + max_lag.nx), fast_length(grid.shape.ny + max_lag.ny)};

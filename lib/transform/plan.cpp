@@ -9,8 +9,8 @@
 
 #include <fftw3.h>
 
+#include "core/memory.hpp"
 #include "core/module.hpp"
-#include "core/room.hpp"
 #include "transform/single_columns.hpp"
 
 namespace asperity {
@@ -51,7 +51,7 @@ struct Columns<float> {
 void destroy(fftw_plan plan) { fftw_destroy_plan(plan); }
 void destroy(void* single) { ASPERITY_FROM_MODULE("asperity_single", asperity_destroy_columns)(single); }
 
-// The next multiple of sixteen numbers, so that a second array behind the first is aligned too.
+// The next multiple of sixteen numbers, so that a second array after the first is aligned too.
 std::size_t aligned(Index n) { return (size(n) + 15) / 16 * 16; }
 
 // FFTW's planner keeps global state; executing a plan does not.
@@ -76,13 +76,13 @@ int counted(Index n) {
 
 // FFTW aborts where it finds no memory: to make a plan, for its solvers, the first time, and twiddle factors;
 // to execute one, for buffers of a few rows.
-void require_room_for(Index nx, Index ny) { require_room((std::size_t{1} << 20) + 128 * size(nx + ny)); }
+void require_memory_for(Index nx, Index ny) { require_memory((std::size_t{1} << 20) + 128 * size(nx + ny)); }
 
-// Executions that look first: those that take 100 µs and more, of which the look is a few per cent.
+// Executions that check memory first: those of 100 µs and more, which the check makes a few per cent longer.
 constexpr Index worth_a_look = 1 << 14;
 
 void require_buffers(Shape shape) {
-  if (shape.cells() >= worth_a_look) require_room_for(shape.nx, shape.ny);
+  if (shape.cells() >= worth_a_look) require_memory_for(shape.nx, shape.ny);
 }
 
 // FFTW wants arrays to plan on; an estimated plan neither reads nor writes them, so that they take no memory,
@@ -95,7 +95,7 @@ Plan plan(Kind kind, Index nx, Index ny, std::size_t reals, Make make) {
   if (const auto known = recent.find(key); known != recent.end()) return known->second;
   AlignedVector<Real> scratch;
   scratch.reserve(reals);
-  require_room_for(nx, ny);
+  require_memory_for(nx, ny);
   const auto made = make(scratch.data());
   if (made == nullptr) throw std::runtime_error("FFTW could not make a plan");
   if (recent.size() == most_recent) recent.swap(forgotten);

@@ -46,7 +46,7 @@ using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 /// on 3·2ᵃ 5ᵇ too. Other lengths without a prime factor above 5 take 1.5 to 3 times as long a point.
 Index fast_length(Index n, Index multiple = 1);
 
-/// The library behind the transforms and its version.
+/// The library of the transforms and its version.
 std::string transform_version();
 
 using Plan = std::shared_ptr<void>;  ///< FFTW's
@@ -54,7 +54,7 @@ using Plan = std::shared_ptr<void>;  ///< FFTW's
 enum class Ways { both, forward_only };
 
 /// `width` columns of n complex points each, one after the other `stride` apart, out of place. Interleaved,
-/// or in place, they would take twice as long; columns_from_rows is the way to them. Real: double or float.
+/// or in place, they would take twice as long; columns_from_rows separates them. Real: double or float.
 template <class Real>
 class BasicColumnTransform {
  public:
@@ -76,8 +76,8 @@ class BasicColumnTransform {
 };
 using ColumnTransform = BasicColumnTransform<double>;
 
-/// `count` rows of `width` values to columns, `stride` apart, and back: what lies side by side in memory, one
-/// after the other. Costs a tenth to a fifth of the columns' transform.
+/// `count` rows of `width` values to columns, `stride` apart, and back: neighbours in memory come one after
+/// the other. Costs a tenth to a fifth of the columns' transform.
 template <Index width, class Number>
 void columns_from_rows(const Number* rows, Index count, Number* columns, Index stride) {
   for (Index i = 0; i < count; ++i)

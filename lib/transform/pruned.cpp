@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/large_pages.hpp"
+#include "core/memory.hpp"
 
 namespace asperity {
 namespace {
@@ -29,7 +29,7 @@ auto BasicPrunedTransform<Real>::half_spectrum() const -> HalfSpectrum {
   return out;
 }
 
-// visit(first, count, work) for groups of neighbouring rows, whose parts of a block lie side by side.
+// visit(first, count, work) for groups of neighbouring rows, whose parts of a block are neighbours in memory.
 template <class Real>
 template <class Group>
 void BasicPrunedTransform<Real>::by_groups(int threads, Group visit) const {

@@ -13,8 +13,8 @@
 /// Memory: 2 nx (Py/2 + 8) doubles for a half spectrum, 16 Px for a block.
 ///
 /// On several ranks (core/ranks.hpp) each holds its rows of field and half spectrum, and works on its share
-/// of the blocks, whose rows come from all ranks, some blocks at a time, and go back: what goes to a rank
-/// lies in one piece. Results have the bits of one rank.
+/// of the blocks, whose rows come from all ranks, some blocks at a time, and go back: what goes to a rank is
+/// one piece of memory. Results have the bits of one rank.
 #pragma once
 
 #include <functional>
@@ -35,7 +35,7 @@ template <class Real>
 using BasicHalfSpectrum = AlignedVector<std::complex<Real>>;
 using HalfSpectrum = BasicHalfSpectrum<double>;
 
-/// Writes row i of a field, for fields that are nowhere as a whole; called by several threads at once.
+/// Writes row i of a field that is never whole in memory; called by several threads at once.
 using RowSource = std::function<void(Index i, double* row)>;
 
 template <class Real>
@@ -108,7 +108,7 @@ class BasicPrunedTransform {
       inverse_block(block, b, half, scratch);
     });
   }
-  /// What work(b, block, worker) writes into each block, into the half spectrum, of which nothing is read.
+  /// Writes the half spectrum, without reading it: each block as work(b, block, worker) fills it.
   template <class Work>
   void compose(std::span<Number> half, int threads, Work work) const {
     if (slabs_.shared()) return shared_pass({std::nullopt, half, blocks()}, threads, work);
@@ -146,7 +146,7 @@ class BasicPrunedTransform {
     });
   }
 
-  // Blocks of all ranks' rows: of which half spectrum, if any, and back into which.
+  // Blocks of all ranks' rows: the half spectrum that they come from, if any, and the one they go to.
   struct Shared {
     std::optional<std::span<const Number>> half;
     std::optional<std::span<Number>> back;

@@ -5,25 +5,25 @@
 namespace asperity {
 namespace {
 
-constexpr Index width = RowTransform::width;
+constexpr Index row_group = RowTransform::width;
 
 // (1) for the k of a block, from `first` on: the spectra of both rows.
 template <class Number>
 void part(const Number* z, Index n, Index first, Number* block, bool second) {
   using Real = typename Number::value_type;
   constexpr Real half = 0.5;
-  for (Index k = first; k < std::min(first + width, n / 2 + 1); ++k, ++block) {
+  for (Index k = first; k < std::min(first + row_group, n / 2 + 1); ++k, ++block) {
     const Number here = z[k], there = std::conj(z[k == 0 ? 0 : n - k]), twice = here - there;
     block[0] = half * (here + there);
-    if (second) block[width] = {half * twice.imag(), -half * twice.real()};
+    if (second) block[row_group] = {half * twice.imag(), -half * twice.real()};
   }
 }
 
 // z^ of two rows for the k of a block; without a second row, of the first.
 template <class Number>
 void join(const Number* block, Index first, Index n, Number* z, bool second) {
-  for (Index k = first; k < std::min(first + width, n / 2 + 1); ++k, ++block) {
-    const Number a = block[0], b = second ? block[width] : Number{};
+  for (Index k = first; k < std::min(first + row_group, n / 2 + 1); ++k, ++block) {
+    const Number a = block[0], b = second ? block[row_group] : Number{};
     z[k] = {a.real() - b.imag(), a.imag() + b.real()};
     if (k == 0 || 2 * k == n)
       z[k] = {a.real(), b.real()};
@@ -57,11 +57,11 @@ void BasicRowTransform<Real>::forward(const double* in, Index apart, Index given
   columns_.forward(work.points.data(), work.modes.data());
   for (Index b = 0; b < this->blocks(); ++b)
     for (Index r = 0; r < count; r += 2)
-      part(work.modes.data() + r / 2 * stride, n, b * width, blocks + b * block_stride + r * width,
+      part(work.modes.data() + r / 2 * stride, n, b * row_group, blocks + b * block_stride + r * row_group,
            r + 1 < count);
   Number* last = blocks + (this->blocks() - 1) * block_stride;
   for (Index r = 0; r < count; ++r)
-    std::fill(last + r * width + (n / 2) % width + 1, last + (r + 1) * width, Number{});
+    std::fill(last + r * row_group + (n / 2) % row_group + 1, last + (r + 1) * row_group, Number{});
 }
 
 template <class Real>
@@ -70,7 +70,7 @@ void BasicRowTransform<Real>::inverse(const Number* blocks, Index block_stride, 
   const Index n = points(), stride = columns_.stride();
   for (Index b = 0; b < this->blocks(); ++b)
     for (Index r = 0; r < count; r += 2)
-      join(blocks + b * block_stride + r * width, b * width, n, work.modes.data() + r / 2 * stride,
+      join(blocks + b * block_stride + r * row_group, b * row_group, n, work.modes.data() + r / 2 * stride,
            r + 1 < count);
   columns_.inverse(work.modes.data(), work.points.data());
   for (Index r = 0; r < count; r += 2) {

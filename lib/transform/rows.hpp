@@ -6,7 +6,7 @@
 /// transform.
 ///
 /// The half spectrum of n points, 0 ≤ k ≤ n/2, comes in blocks of eight k, [k/8][row][k%8], as
-/// transform/pruned.hpp keeps it; behind k = n/2 the last block is zero there, and not read back.
+/// transform/pruned.hpp keeps it; beyond k = n/2 the last block is zero there, and not read back.
 ///
 /// Cost: half of eight real transforms, and a tenth of the planning. Accuracy: ε log2 n of the larger row.
 #pragma once
@@ -26,14 +26,14 @@ class BasicRowTransform {
   Index points() const { return columns_.points(); }
   Index blocks() const { return (points() / 2 + width) / width; }
 
-  /// What one thread needs.
+  /// The work space of one thread.
   struct Work {
     AlignedVector<Number> points, modes;
   };
   Work work() const;
 
-  /// Rows r < count of `given` points, zeros behind them, in + r·apart, times `scale`: to blocks that lie
-  /// block_stride apart.
+  /// Transforms the rows r < count, `given` points from in + r·apart and zeros after them, times `scale`, to
+  /// blocks that are block_stride apart.
   void forward(const double* in, Index apart, Index given, Index count, Number* blocks, Index block_stride,
                Work& work, double scale = 1) const;
   /// Back, times n and `scale`: the first `wanted` points of the rows r < count, to out + r·apart.

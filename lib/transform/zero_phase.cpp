@@ -5,7 +5,7 @@
 namespace asperity {
 namespace {
 
-constexpr Index width = ZeroPhaseTransform::width;
+constexpr Index group_width = ZeroPhaseTransform::width;
 
 // The real and the imaginary parts of two complex numbers, as two complex numbers: a 2 × 2 tile, transposed.
 void turn(const Complex& a, const Complex& b, Complex& real, Complex& imaginary) {
@@ -22,8 +22,8 @@ class QuarterTransform : public ZeroPhaseTransform {
       : ZeroPhaseTransform(lags, torus, false),
         rows_(torus.ny),
         columns_(torus.nx),
-        row_blocks_((lags.nx + width - 1) / width),
-        between_stride_(ColumnTransform::stride_of(row_blocks_ * width)),
+        row_blocks_((lags.nx + group_width - 1) / group_width),
+        between_stride_(ColumnTransform::stride_of(row_blocks_ * group_width)),
         between_(size(blocks_ * pairs * between_stride_)),
         row_(size(rows_.size())),
         row_spectrum_(row_.size()) {}
@@ -31,7 +31,7 @@ class QuarterTransform : public ZeroPhaseTransform {
  private:
   void load(const double* part) override {
     const auto [n, m] = lags_;
-    for (Index first = 0; first < n; first += width) {
+    for (Index first = 0; first < n; first += group_width) {
       for (Index c = 0; c < pairs; ++c) {
         const Index k = first + 2 * c;
         Complex* row = row_.data() + c * rows_.stride();
@@ -42,7 +42,7 @@ class QuarterTransform : public ZeroPhaseTransform {
       for (Index b = 0; b < blocks_; ++b)
         for (Index c = 0; c < pairs; ++c)
           for (Index r = 0; r < pairs; ++r) {
-            const Complex* in = row_spectrum_.data() + r * rows_.stride() + b * width + 2 * c;
+            const Complex* in = row_spectrum_.data() + r * rows_.stride() + b * group_width + 2 * c;
             Complex* out = between(b, c) + first + 2 * r;
             turn(in[0], in[1], out[0], out[1]);
           }
@@ -61,16 +61,16 @@ class QuarterTransform : public ZeroPhaseTransform {
 
   void store(double* part) override {
     const auto [n, m] = lags_;
-    for (Index first = 0; first < n; first += width) {
+    for (Index first = 0; first < n; first += group_width) {
       for (Index b = 0; b < blocks_; ++b)
         for (Index c = 0; c < pairs; ++c)
           for (Index r = 0; r < pairs; ++r) {
             const Complex* in = between(b, c) + first + 2 * r;
-            Complex* out = row_.data() + r * rows_.stride() + b * width + 2 * c;
+            Complex* out = row_.data() + r * rows_.stride() + b * group_width + 2 * c;
             turn(in[0], in[1], out[0], out[1]);
           }
       rows_.apply(Parity::even, row_.data(), torus_.ny / 2 + 1, row_spectrum_.data());
-      for (Index k = first; k < std::min(first + width, n); ++k) {
+      for (Index k = first; k < std::min(first + group_width, n); ++k) {
         const auto* row =
             reinterpret_cast<const double*>(row_spectrum_.data() + (k - first) / 2 * rows_.stride());
         for (Index l = 0; l < m; ++l) part[k * m + l] = row[2 * l + k % 2];
@@ -95,9 +95,9 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
       : ZeroPhaseTransform(lags, torus, true),
         rows_({1, torus.ny}),
         columns_(torus.nx, pairs),
-        between_(size(blocks_ * lags.nx * width)),
+        between_(size(blocks_ * lags.nx * group_width)),
         row_(size(torus.ny)),
-        row_spectrum_(size(blocks_ * width)) {}
+        row_spectrum_(size(blocks_ * group_width)) {}
 
  private:
   void load(const double* part) override {
@@ -111,7 +111,8 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
       rows_.forward(row_.data(), row_spectrum_.data());
       std::fill(row_spectrum_.begin() + period / 2 + 1, row_spectrum_.end(), row_spectrum_[size(period / 2)]);
       for (Index b = 0; b < blocks_; ++b)
-        std::copy_n(row_spectrum_.data() + b * width, width, between_.data() + (b * n + k) * width);
+        std::copy_n(row_spectrum_.data() + b * group_width, group_width,
+                    between_.data() + (b * n + k) * group_width);
     }
   }
 
@@ -120,10 +121,10 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
   void forward_block(Index b) override {
     const auto [n, period] = Shape{lags_.nx, torus_.nx};
     for (Index w = 0; w < pairs; ++w) {
-      const Complex* in = between_.data() + b * n * width + 2 * w;
+      const Complex* in = between_.data() + b * n * group_width + 2 * w;
       Complex* column = work_.data() + w * stride_;
       std::fill(column + n, column + period - n + 1, Complex{});
-      for (Index k = 0; k < n; ++k, in += width) {
+      for (Index k = 0; k < n; ++k, in += group_width) {
         const Complex c = in[0], d = in[1];
         column[k] = {c.real() - d.imag(), c.imag() + d.real()};
         column[k == 0 ? 0 : period - k] = {c.real() + d.imag(), d.real() - c.imag()};
@@ -137,8 +138,8 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
     const auto [n, period] = Shape{lags_.nx, torus_.nx};
     for (Index w = 0; w < pairs; ++w) {
       const Complex* column = work_.data() + w * stride_;
-      Complex* out = between_.data() + b * n * width + 2 * w;
-      for (Index k = 0; k < n; ++k, out += width) {
+      Complex* out = between_.data() + b * n * group_width + 2 * w;
+      for (Index k = 0; k < n; ++k, out += group_width) {
         const Complex ahead = column[k], behind = column[k == 0 ? 0 : period - k];
         out[0] = {(ahead.real() + behind.real()) / 2, (ahead.imag() - behind.imag()) / 2};
         out[1] = {(ahead.imag() + behind.imag()) / 2, (behind.real() - ahead.real()) / 2};
@@ -151,7 +152,8 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
     const Index period = torus_.ny;
     for (Index k = 0; k < n; ++k) {
       for (Index b = 0; b < blocks_; ++b)
-        std::copy_n(between_.data() + (b * n + k) * width, width, row_spectrum_.data() + b * width);
+        std::copy_n(between_.data() + (b * n + k) * group_width, group_width,
+                    row_spectrum_.data() + b * group_width);
       rows_.inverse(row_spectrum_.data(), row_.data());
       double* positive = k == 0 ? part : part + m + (k - 1) * (2 * m - 1) + m - 1;
       std::copy_n(row_.begin(), m, positive);
@@ -172,7 +174,7 @@ class HalfPlaneTransform : public ZeroPhaseTransform {
 ZeroPhaseTransform::ZeroPhaseTransform(Shape lags, Shape torus, bool half_plane)
     : lags_(lags),
       torus_(torus),
-      blocks_((torus.ny / 2 + width) / width),
+      blocks_((torus.ny / 2 + group_width) / group_width),
       stride_(ColumnTransform::stride_of(torus.nx)),
       block_(size(pairs * stride_)),
       work_(block_.size()),
@@ -233,7 +235,7 @@ void ZeroPhaseTransform::autocorrelate(std::span<const double> part, std::span<d
 }
 
 std::unique_ptr<ZeroPhaseTransform> zero_phase_transform(Shape lags, Shape least, bool oriented) {
-  auto side = [](Index n, Index points) { return fast_length(std::max({points, 2 * n, width}), 2); };
+  auto side = [](Index n, Index points) { return fast_length(std::max({points, 2 * n, group_width}), 2); };
   const Shape torus{side(lags.nx, least.nx), side(lags.ny, least.ny)};
   if (oriented) return std::make_unique<HalfPlaneTransform>(lags, torus);
   return std::make_unique<QuarterTransform>(lags, torus);

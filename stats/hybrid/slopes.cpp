@@ -5,7 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/calibration.hpp"
 #include "core/error.hpp"
 #include "core/halved.hpp"
 #include "stats/filter/form.hpp"
@@ -145,6 +144,9 @@ constexpr Index least_side = 16;
 constexpr double least_growth = 1e-12;  // of a mean square slope, by which it may fall
 constexpr double left_of_form = 1e-20;  // of a mean square slope, by its round-off
 
+// Of gamma, from which on a grid does not resolve the slopes, or may not: validation/contact_grid_error.
+constexpr double unresolved = 1.0, doubtful = 0.8;
+
 double mean_square_slope(const Field& z, const Grid& grid) {
   const Index nx = z.rows(), ny = z.cols();
   double x = (z.bottomRows(nx - 1) - z.topRows(nx - 1)).square().sum();
@@ -162,10 +164,7 @@ double mean_square_slope(const Field& z, const Grid& grid) {
 }  // namespace
 
 Resolved SlopeGrowth::resolved() const {
-  using namespace calibration::grid_error;
-  return gamma >= calibration::grid_error::resolved ? Resolved::no
-         : gamma >= doubtful                        ? Resolved::doubtful
-                                                    : Resolved::yes;
+  return gamma >= unresolved ? Resolved::no : gamma >= doubtful ? Resolved::doubtful : Resolved::yes;
 }
 
 SlopeGrowth slope_growth(Field z, const Grid& grid, int threads) {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/large_field.hpp"
+#include "core/memory.hpp"
 
 namespace asperity {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "core/large_field.hpp"
+#include "core/memory.hpp"
 #include "core/parallel.hpp"
 #include "stats/filter/missing.hpp"
 #include "stats/sample/quantiles.hpp"

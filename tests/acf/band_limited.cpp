@@ -1,9 +1,9 @@
-// Periodic surfaces of which the waves in a band are prescribed, against sums as they are written.
+// Periodic surfaces with prescribed waves in a band, against the sums of their definition.
 #include "acf/band_limited.hpp"
 
 #include <utility>
 
-#include "acf/self_affine.hpp"
+#include "acf/radial.hpp"
 #include "waves.hpp"
 
 using namespace asperity;

@@ -171,7 +171,7 @@ TEST_CASE("every start has the variance of the target, and so have the multiplic
 // A target is sound when it is the autocorrelation of a kernel: the spectrum of R is then |a^|². The cosine
 // of a frequency that does not fit the lags is sound too but cut; a triangle turned upside down is no
 // autocorrelation at all.
-TEST_CASE("feasibility tells the sound, the doubtful and the impossible targets apart", "[equations][law]") {
+TEST_CASE("feasibility separates the sound, the doubtful and the impossible targets", "[equations][law]") {
   auto of = [](auto f, Index n) {
     return ZeroPhaseEquations(Target([f](double p, double) { return f(p); }), {n, 1}, false).feasibility();
   };

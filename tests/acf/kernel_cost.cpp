@@ -1,5 +1,4 @@
-#include "acf/kernel_cost.hpp"
-
+#include "acf/kernel.hpp"
 #include "acf/table.hpp"
 #include "core/error.hpp"
 #include "support.hpp"
@@ -50,7 +49,7 @@ TEST_CASE("a kernel that takes more memory than there shall be is refused before
   CHECK(steps_until_refused(request) == 0);
 }
 
-// An exponential of which 10 % are left at the last of 31 lags has no kernel of 31 × 31.
+// An exponential that has fallen to 10 % at the last of 31 lags has no kernel of 31 × 31.
 TEST_CASE("a kernel wider than its lags is refused where it takes more memory than there shall be",
           "[kernel][contract]") {
   KernelRequest request = exponential(31);

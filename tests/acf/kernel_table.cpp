@@ -3,8 +3,8 @@
 
 #include "acf/kernel.hpp"
 #include "acf/kernel_evaluation.hpp"
-#include "acf/projections.hpp"
 #include "acf/table.hpp"
+#include "acf/wider_kernel.hpp"
 #include "math/noise.hpp"
 #include "reference/exponential_target.hpp"
 #include "support.hpp"
@@ -34,7 +34,7 @@ TEST_CASE("a table that no surface has is refused by its name, or answered by th
 
 namespace {
 
-// The biased autocorrelation of a field of its own: an autocorrelation, of which the least lags are kept.
+// The biased autocorrelation of a field is an autocorrelation; its least lags are kept.
 Target biased_table(const Field& z, Shape known) {
   Field table(known.nx, 2 * known.ny - 1);
   for (Index p = 0; p < known.nx; ++p)
@@ -69,7 +69,7 @@ TEST_CASE("a table that a surface has is met as a whole within the tolerance, ho
     CHECK(k.report.error <= tolerance);
     const Field achieved = autocorrelation(k.values, 20, 23), asked = half_plane_of(request.target, {20, 12});
     CHECK((achieved - asked).abs().maxCoeff() <= k.report.error + 1e-12);
-    // Stored to the kernel's reach: what the table leaves open is told, not cut.
+    // Stored to the kernel's reach: what the table leaves open is recorded, not cut.
     CHECK(k.acf_achieved.rows() == k.values.rows() + 1);
     CHECK(k.report.tail > 0.05);
   }

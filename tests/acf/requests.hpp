@@ -9,7 +9,7 @@
 
 namespace asperity::test {
 
-/// The exponential that has fallen to e⁻ᶜ at the last lags n × m, of which all are prescribed.
+/// The exponential that has fallen to e⁻ᶜ at the last lags n × m, with all of them prescribed.
 inline KernelRequest cut(Index n, Index m, double c, Formulation formulation = Formulation::symmetric) {
   KernelRequest request;
   request.target = ExponentialTarget{static_cast<double>(n), static_cast<double>(m), std::exp(-c)};

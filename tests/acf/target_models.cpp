@@ -1,8 +1,7 @@
 #include <limits>
 #include <numbers>
 
-#include "acf/matern.hpp"
-#include "acf/self_affine.hpp"
+#include "acf/radial.hpp"
 #include "acf/target.hpp"
 #include "reference/exponential_target.hpp"
 #include "support.hpp"
@@ -52,7 +51,7 @@ TEST_CASE("Matérn's correlation is exp(-r) for ν = 1/2, (1+r) exp(-r) for 3/2,
   }
 }
 
-// (2) of matern.hpp; the next term is r² / (4 (1-ν)).
+// (2) of MaternCorrelation; the next term is r² / (4 (1-ν)).
 TEST_CASE("Matérn's structure function begins as r to the 2ν with its constant", "[target][law]") {
   for (double nu : {0.01, 0.3, 0.5, 0.8}) {
     const MaternCorrelation rho(nu);
@@ -64,7 +63,7 @@ TEST_CASE("Matérn's structure function begins as r to the 2ν with its constant
   }
 }
 
-// (3) of self_affine.hpp; the next term is at most r²/(4 (1-H)). Either side takes two gammas of five units
+// (3) of SelfAffineCorrelation; the next term is at most r²/(4 (1-H)). Either side takes two gammas of five units
 // in the last place and a dozen roundings of numbers below one: 2 (2·5 + 12/2) ε = 32 ε.
 TEST_CASE("the self-affine structure function begins as r to the 2H with its constant", "[target][law]") {
   for (double H : {0.01, 0.3, 0.5, 0.8}) {

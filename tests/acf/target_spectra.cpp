@@ -5,8 +5,7 @@
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_gamma.h>
 
-#include "acf/matern.hpp"
-#include "acf/self_affine.hpp"
+#include "acf/radial.hpp"
 #include "acf/target.hpp"
 #include "support.hpp"
 
@@ -63,7 +62,7 @@ Range tapered_spectrum(const Correlation& R, Index n) {
 }  // namespace
 
 // Parseval: ∫ρ exp(-r²/2w²) r dr = w² ∫C exp(-q²w²/2) q dq / ∫C q dq, the Laplace transform of C in q²,
-// which C alone has; with a = w²/2 it is, for (1) of self_affine.hpp,
+// which C alone has; with a = w²/2 it is, for (1) of SelfAffineCorrelation,
 //     2H/(1+H) [1 - exp(-a) + a^(1+H) Γ(-H, a)].
 // The quadrature stops at 1e-11, ρ is good to 1e-11; w = 0.01 … 20 weighs q from 100 down to 0.05.
 TEST_CASE("the self-affine correlation has a spectrum flat below 1 and of slope -2(1+H) above",

@@ -48,7 +48,7 @@ inline double wave_number(Shape period, Index a, Index b) {
                            static_cast<double>(k) / static_cast<double>(period.ny));
 }
 
-// The transform of the kernel over the torus, of which every wave's power is the square.
+// The transform of the kernel over the torus; its square is every wave's power.
 inline double amplitude(const Field& kernel, Index j, Index k) {
   double real = 0, imaginary = 0;
   for (Index p = 0; p < kernel.rows(); ++p)

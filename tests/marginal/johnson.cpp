@@ -127,7 +127,7 @@ TEST_CASE("S_U gives back the parameters whose raw lognormal moments it was aske
     }
 }
 
-TEST_CASE("S_B gives back the parameters of which the moments were taken", "[johnson][law]") {
+TEST_CASE("S_B gives back the parameters whose moments it was fitted to", "[johnson][law]") {
   for (const double delta : {0.02, 0.1, 0.5, 1.0, 2.5})
     for (const double gamma : {-2.5, -1.0, 0.0, 0.1, 1.7, 3.0}) {
       const Johnson given{Family::bounded, gamma, delta, gamma < 0 ? -1.0 : 1.0};

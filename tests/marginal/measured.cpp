@@ -75,7 +75,7 @@ TEST_CASE("heights of two values stay two values", "[measured][contract]") {
   CHECK(std::abs(low + std::sqrt(3.0)) <= 1e-3);
 }
 
-TEST_CASE("a sample that tells no distribution is refused in one line", "[measured][contract]") {
+TEST_CASE("a sample that determines no distribution is refused in one line", "[measured][contract]") {
   CHECK_THROWS_AS(MeasuredHeights::of({1, 2, 3}), DataError);
   CHECK_THROWS_AS(MeasuredHeights::of(std::vector<double>(200, 3.0)), DataError);
   std::vector<double> heights = sample(200, exponential_quantile);

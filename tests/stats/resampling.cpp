@@ -6,7 +6,6 @@
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "holes.hpp"
-#include "transform/chirp.hpp"
 #include "transform/refinement.hpp"
 
 using namespace asperity;

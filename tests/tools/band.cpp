@@ -3,7 +3,7 @@
 #include <complex>
 #include <numbers>
 
-#include "acf/self_affine.hpp"
+#include "acf/radial.hpp"
 #include "core/words.hpp"
 #include "tools/kernel_runs.hpp"
 #include "transform/plan.hpp"

@@ -30,7 +30,7 @@ TEST_CASE("rows transformed in pairs have each its own spectrum, and the way bac
         AlignedVector<Complex> blocks(static_cast<std::size_t>(transform.blocks() * count * width), 99.0);
         transform.forward(x.data(), given, given, count, blocks.data(), count * width, work);
         const double bound = 16 * epsilon * static_cast<double>(n);
-        double error = 0, behind = 0;
+        double error = 0, beyond = 0;
         for (Index r = 0; r < count; ++r) {
           for (Index k = 0; k <= n / 2; ++k) {
             Complex sum{};
@@ -40,7 +40,7 @@ TEST_CASE("rows transformed in pairs have each its own spectrum, and the way bac
             error = std::max(error, std::abs(mode(blocks, count, r, k) - sum));
           }
           for (Index k = n / 2 + 1; k < transform.blocks() * width; ++k)
-            behind = std::max(behind, std::abs(mode(blocks, count, r, k)));
+            beyond = std::max(beyond, std::abs(mode(blocks, count, r, k)));
         }
         Field back = Field::Constant(count, n + 1, 99.0);
         transform.inverse(blocks.data(), count * width, count, n, back.data(), n + 1, work);
@@ -48,7 +48,7 @@ TEST_CASE("rows transformed in pairs have each its own spectrum, and the way bac
         const double undone = (back.leftCols(given) / scale - x).abs().maxCoeff();
         CAPTURE(n, count, given);
         CHECK(error <= bound);
-        CHECK(behind == 0);
+        CHECK(beyond == 0);
         CHECK(undone <= bound);
         CHECK((back.col(n) == 99.0).all());
         if (given < n) CHECK((back.middleCols(given, n - given) / scale).abs().maxCoeff() <= bound);

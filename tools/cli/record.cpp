@@ -11,7 +11,7 @@
 #include <gsl/gsl_version.h>
 #include <nlohmann/json.hpp>
 
-#include "acf/iteration.hpp"
+#include "acf/kernel.hpp"
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/netcdf.hpp"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "acf/iteration.hpp"
+#include "acf/kernel.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"

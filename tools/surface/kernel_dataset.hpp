@@ -68,17 +68,4 @@ KernelReport recorded_report(const Attributes& attributes);
 /// The tolerance of its errors.
 double recorded_tolerance(const Attributes& attributes);
 
-/// The parameters of a model's shape: options of the same names, and attributes with kernel_ before them.
-struct ShapeParameter {
-  const char* name;
-  Model model;  ///< that has it
-  double EllipticTarget::*value;
-  bool is_length = false;
-};
-inline constexpr ShapeParameter shape_parameters[] = {
-    {"smoothness", Model::matern, &EllipticTarget::smoothness},
-    {"exponent", Model::stretched_exponential, &EllipticTarget::exponent},
-    {"hurst", Model::self_affine, &EllipticTarget::hurst},
-    {"wavelength", Model::exponential_cosine, &EllipticTarget::wavelength, true}};
-
 }  // namespace asperity::cli

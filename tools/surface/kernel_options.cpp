@@ -28,6 +28,7 @@ void KernelOptions::declare_target(Tool& tool) {
   tool.number("--length-level", shape.level, "ACF value at --length; 0.3678794 for 1/e lengths", group);
   tool.text("--angle", angle, "ANGLE", "Direction of the first length, from +x towards +y: 30deg, 0.5rad",
             group);
+  static_assert(std::size(shape_parameters) == 4, "each has an option here");
   tool.number(
       "--smoothness", shape.smoothness,
       "Smoothness of matern; 0.5 is the exponential, infinity the Gaussian. Below 1 it is the Hurst exponent",

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acf/kernel_cost.hpp"
+#include "acf/kernel.hpp"
 #include "acf/table.hpp"
 #include "core/words.hpp"
 #include "tools/surface/periodic_kernel.hpp"
@@ -152,7 +152,7 @@ std::optional<BandLimited> limited(const Tool& tool, const KernelOptions& o, con
     throw UsageError(limit, shown + "needs a surface: the waves of " + text(period) +
                                 " points run along one axis; draw a surface and take a row of it "
                                 "(asperity-filter --crop)");
-  const Band band = model.model == Model::stretched_exponential ? Band{} : band_of(tool, o, model, period);
+  const Band band = model.has_spectrum() ? band_of(tool, o, model, period) : Band{};
   check_memory(periodic_kernel_cost(period), static_cast<double>(tool.memory()), period);
   return BandLimited(model, band, period);
 }
@@ -223,8 +223,9 @@ void KernelProblem::narrow(Shape surface) {
 
 std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options) {
   if (!tool.given("--acf")) return std::nullopt;
-  for (const char* option : {"model", "length", "length-level", "angle", "smoothness", "exponent", "hurst",
-                             "wavelength", "rolloff", "cutoff"})
+  std::vector<const char*> options{"model", "length", "length-level", "angle", "rolloff", "cutoff"};
+  for (const ShapeParameter& parameter : shape_parameters) options.push_back(parameter.name);
+  for (const char* option : options)
     if (given(tool, option))
       throw UsageError(option, "cannot be combined with --acf, which gives the whole autocorrelation");
   AcfTable out = read_acf_table(options.acf, tool.memory_bound());

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "acf/kernel_cost.hpp"
+#include "acf/kernel.hpp"
 #include "core/words.hpp"
 #include "marginal/johnson.hpp"
 

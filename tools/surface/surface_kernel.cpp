@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "acf/kernel_cost.hpp"
+#include "acf/kernel.hpp"
 #include "acf/table.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
