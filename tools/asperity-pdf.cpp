@@ -113,7 +113,7 @@ struct Counting {
   Counted read(const Dataset& data) const {
     if (const auto part = cli::counted_cells(data, field.variable)) {
       check(tool, *part, what);
-      tool.note(part->told());
+      tool.note(part->words());
       return *part;
     }
     return field.read(tool, data);

@@ -124,13 +124,13 @@ Table quantiles_of(const Sample& of, int rows) {
   return out;
 }
 
-std::string CountedCells::told() const {
+std::string CountedCells::words() const {
   return fmt::format("{} of the {} that {} {}; the other {:.3g} % of {:.0f} cells are {}, and not counted",
                      variable, asperity::counted(static_cast<std::int64_t>(counted), "cell"), verb(counted),
                      which, 100 * (1 - counted / cells), cells, without);
 }
 
-std::string CountedCells::told_of_all() const {
+std::string CountedCells::words_for_all() const {
   return fmt::format("{} of all {:.0f} cells, of which {:.0f} {} {}: asperity-pdf counts these alone",
                      variable, cells, counted, verb(counted), which);
 }

@@ -35,9 +35,9 @@ struct CountedCells {
   std::string without;  ///< what the others are: "open, without pressure"
 
   /// "pressure of the 3152 cells that are in contact; the other 95.2 % of 65536 cells …".
-  std::string told() const;
+  std::string words() const;
   /// The same where all cells are measured, and what counts these alone.
-  std::string told_of_all() const;
+  std::string words_for_all() const;
 };
 
 /// Of the variables pressure, and gap where a contact or a pressure tells which cells are open; of others
