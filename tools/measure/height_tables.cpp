@@ -50,7 +50,7 @@ void append(std::vector<Cell>& row, const Sample& of, const Estimate& e) {
   append(row, of, e.value, e.standard_error, has_error ? e.interval.value_or(about) : Interval());
 }
 
-// More than 0 where a cell is in contact; nothing where the dataset does not tell.
+// More than 0 where a cell is in contact; nothing where the dataset has neither.
 std::optional<Field> contact_of(const Dataset& data) {
   for (const char* name : {"contact", "pressure"})
     if (data.has(name)) return field_of(data, name, Missing::not_a_number);

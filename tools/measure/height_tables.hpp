@@ -1,5 +1,5 @@
-/// Tables of the distribution of the heights of a field beside the Gaussian of the same mean and Sq, or of a
-/// quantity of a contact that only a part of the cells has, beside none.
+/// Tables of the distribution of the heights of a field, compared with the Gaussian of the same mean and Sq,
+/// or of a quantity of a contact that only a part of the cells has, without a Gaussian.
 #pragma once
 
 #include <optional>
@@ -40,7 +40,7 @@ struct CountedCells {
   std::string words_for_all() const;
 };
 
-/// Of the variables pressure, and gap where a contact or a pressure tells which cells are open; of others
+/// Of the variables pressure, and gap where a contact or a pressure shows which cells are open; of others
 /// nothing. Throws DataError where no cell is counted.
 std::optional<CountedCells> counted_cells(const Dataset& data, const std::string& variable);
 
