@@ -1,4 +1,4 @@
-// The autocorrelation of a surface beside its target, and its lengths.
+// The autocorrelation of a surface, its target, and its lengths.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

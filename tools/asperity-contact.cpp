@@ -1,6 +1,7 @@
 /// Presses two bodies together: pressure, gap, displacement and state of each cell, or a table of loads.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -145,6 +146,41 @@ struct LoadVerdict {
 };
 using Say = std::function<void(const LoadVerdict&)>;
 
+// Says it load by load: a kind of doubt in full at its first load, then a count and the last load.
+class Verdicts {
+ public:
+  explicit Verdicts(const cli::Tool& tool) : tool_(tool) {}
+
+  void say(const LoadVerdict& verdict) {
+    for (const Doubt& doubt : verdict.doubts) {
+      Seen& seen = seen_[doubt.about];
+      if (seen.loads++ == 0) tool_.warn(verdict.load + ": " + doubt.words);
+      seen.last = verdict.load;
+    }
+    if (verdict.unconverged.empty()) return;
+    tool_.warn(verdict.load + ": " + verdict.unconverged);
+    code_ = cli::not_converged;
+  }
+  /// The exit code.
+  int finish() const {
+    for (const auto& [about, seen] : seen_)
+      if (const int more = seen.loads - 1; more > 0)
+        tool_.warn(fmt::format("the contact {} under {} more load{}, up to {}", about, more,
+                               more == 1 ? "" : "s", seen.last));
+    return code_;
+  }
+
+ private:
+  struct Seen {
+    int loads = 0;
+    std::string last;
+  };
+
+  const cli::Tool& tool_;
+  std::map<std::string_view, Seen> seen_ = {};
+  int code_ = cli::done;
+};
+
 // A row for each load; `say` comes after each.
 cli::Table sweep_table(const cli::Tool& tool, const cli::ContactOptions& options,
                        const cli::ContactScene& scene, ElasticOperator& influence, const std::string& of,
@@ -207,9 +243,9 @@ int sweep_several(const cli::Tool& tool, cli::ContactOptions& options, const Say
       [&](cli::EnsembleMember&& member) {
         const cli::ContactScene scene = scene_of_member(tool, options, member);
         One out;
-        influences.with_one([&](cli::Influence& influence) {
-          out.loads = sweep_table(tool, options, scene, influence.on(scene.grid), member.name + ": ",
-                                  [&](const LoadVerdict& verdict) { out.verdicts.push_back(verdict); });
+        out.loads = influences.with_one([&](cli::Influence& influence) {
+          return sweep_table(tool, options, scene, influence.on(scene.grid), member.name + ": ",
+                             [&](const LoadVerdict& verdict) { out.verdicts.push_back(verdict); });
         });
         blank_unconverged(out.loads);
         return out;
@@ -224,18 +260,13 @@ int sweep_several(const cli::Tool& tool, cli::ContactOptions& options, const Say
 }
 
 int sweep(const cli::Tool& tool, cli::ContactOptions& options, ProgressCounter& counter) {
-  cli::SweepDoubts in_doubt;
-  int code = cli::done;
+  Verdicts verdicts(tool);
   const Say say = [&](const LoadVerdict& verdict) {
     counter.next();
-    in_doubt.add(tool, verdict.doubts, verdict.load);
-    if (verdict.unconverged.empty()) return;
-    tool.warn(verdict.load + ": " + verdict.unconverged);
-    code = cli::not_converged;
+    verdicts.say(verdict);
   };
   const int failed = options.several() ? sweep_several(tool, options, say) : sweep_one(tool, options, say);
-  in_doubt.tell(tool);
-  return std::max(code, failed);
+  return std::max(verdicts.finish(), failed);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The distribution of heights beside the Gaussian of the same mean and rms height.
+// The distribution of heights, compared with the Gaussian of the same mean and rms height.
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -26,7 +26,7 @@ struct Options {
     tool.choice(
         "--estimate", estimate, {"histogram", "kernel", "quantiles"},
         "Estimate of the distribution. histogram: counts in bins; kernel: density by a Gaussian kernel; "
-        "quantiles: heights beside those of a Gaussian, for a Q-Q plot",
+        "quantiles: heights and those of a Gaussian, for a Q-Q plot",
         group);
     const cli::Bounds rows(0, most_points, "more than the longest table has");
     tool.integer("--bins", bins, rows,
@@ -113,7 +113,7 @@ struct Counting {
   Counted read(const Dataset& data) const {
     if (const auto part = cli::counted_cells(data, field.variable)) {
       check(tool, *part, what);
-      tool.note(part->told());
+      tool.note(part->words());
       return *part;
     }
     return field.read(tool, data);
@@ -198,16 +198,15 @@ void document(cli::Tool& tool) {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-pdf",
-      "Prints the distribution of the heights beside the Gaussian of the same mean and Sq, with standard "
-      "errors and 95 % intervals. histogram: one row per bin with its centre, its count, the count expected "
-      "for the Gaussian, the misfit (their difference divided by the standard error it has for Gaussian "
-      "heights), and the same as densities. kernel: the "
-      "density by a Gaussian kernel beside the Gaussian smoothed by that kernel. quantiles: heights beside "
-      "those of the Gaussian, which lie on a straight line against the normal quantile. Of a contact, the "
-      "pressure is counted on the cells in contact and the gap on the open ones, beside no Gaussian; share "
-      "is that of all cells. For several surfaces, quantiles and densities are means over them, on bins or "
-      "heights that all have in common, with the standard error by their spread and the spread expected from "
-      "the errors of the single surfaces.");
+      "Prints the distribution of the heights, compared with the Gaussian of the same mean and Sq, with "
+      "standard errors and 95 % intervals. histogram: one row per bin with its centre, its count, the count "
+      "expected for the Gaussian, the misfit (their difference divided by the standard error it has for "
+      "Gaussian heights), and the same as densities. kernel: the density by a Gaussian kernel, and the "
+      "Gaussian smoothed by that kernel. quantiles: heights and those of the Gaussian, which are a straight "
+      "line over the normal quantile. Of a contact, the pressure is counted on the cells in contact and the "
+      "gap on the open ones, without a Gaussian; share is that of all cells. For several surfaces, quantiles "
+      "and densities are means over them, on bins or heights that all have in common, with the standard "
+      "error by their spread and the spread expected from the errors of the single surfaces.");
   cli::EnsembleInput inputs;
   cli::FieldOptions options;
   Options what;

@@ -74,7 +74,7 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const
                   const cli::EnsembleMember& member) {
   const cli::FieldOptions& field = options.field;
   if (member.alone()) tool.detail(member.name);
-  if (const auto part = cli::counted_cells(member.data, field.variable)) tool.note(part->told_of_all());
+  if (const auto part = cli::counted_cells(member.data, field.variable)) tool.note(part->words_for_all());
   Surface surface = field.read_flat(tool, member.data);
   if (surface.flat) {
     Measured out;

@@ -40,7 +40,7 @@ bool is_worth_all_threads(Shape shape);
 
 using Action = std::function<void()>;
 
-/// For the frame: on a thread of OrderedWork, when the order of its piece comes; elsewhere at once.
+/// For the frame: does this when the results of all earlier pieces have been taken; at once outside a piece.
 void in_order(Action action);
 
 class OrderedWork {

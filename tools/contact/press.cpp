@@ -141,21 +141,6 @@ Accurate press_accurately(const Tool& tool, const ContactOptions& options, Conta
   }
 }
 
-void SweepDoubts::add(const Tool& tool, const std::vector<Doubt>& doubts, const std::string& load) {
-  for (const Doubt& doubt : doubts) {
-    Seen& seen = seen_[doubt.about];
-    if (seen.loads++ == 0) tool.warn(load + ": " + doubt.words);
-    seen.last = load;
-  }
-}
-
-void SweepDoubts::tell(const Tool& tool) const {
-  for (const auto& [about, seen] : seen_)
-    if (const int more = seen.loads - 1; more > 0)
-      tool.warn(fmt::format("the contact {} under {} more load{}, up to {}", about, more,
-                            more == 1 ? "" : "s", seen.last));
-}
-
 std::string unconverged(const ContactOptions& options, const Contact& contact) {
   if (!contact.converged) return "not converged: " + contact.reason;
   if (!options.contact.stiffness || !std::isnan(contact.stiffness)) return "";

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -35,23 +34,16 @@ class Influence {
 class Influences {
  public:
   explicit Influences(const ContactOptions& options) : options_(options) {}
-  /// Calls use(influence) with one that nobody else uses meanwhile.
+  /// What use(influence) returns, with one that nobody else uses meanwhile; one that fails is not used again.
   template <class Use>
   auto with_one(const Use& use) {
-    const Lease lease(*this);
-    return use(*lease.one);
+    std::unique_ptr<Influence> one = taken();
+    auto out = use(*one);
+    put_back(std::move(one));
+    return out;
   }
 
  private:
-  struct Lease {
-    explicit Lease(Influences& of) : stock(of), one(of.taken()) {}
-    ~Lease() { stock.put_back(std::move(one)); }
-    Lease(const Lease&) = delete;
-    Lease& operator=(const Lease&) = delete;
-
-    Influences& stock;
-    std::unique_ptr<Influence> one;
-  };
   std::unique_ptr<Influence> taken();
   void put_back(std::unique_ptr<Influence> one);
 
@@ -92,20 +84,6 @@ struct Accurate {
 /// refined by its own band limit, and leaves the last of these scenes.
 Accurate press_accurately(const Tool& tool, const ContactOptions& options, ContactScene& scene,
                           Influence& influence);
-
-/// Doubts of a sweep: each kind in full at its first load, then a count and the last load.
-class SweepDoubts {
- public:
-  void add(const Tool& tool, const std::vector<Doubt>& doubts, const std::string& load);
-  void tell(const Tool& tool) const;
-
- private:
-  struct Seen {
-    int loads = 0;
-    std::string last;
-  };
-  std::map<std::string_view, Seen> seen_ = {};
-};
 
 /// Why a contact, or a stiffness that was asked for, has not converged; "" of one that has.
 std::string unconverged(const ContactOptions& options, const Contact& contact);

@@ -50,7 +50,7 @@ void append(std::vector<Cell>& row, const Sample& of, const Estimate& e) {
   append(row, of, e.value, e.standard_error, has_error ? e.interval.value_or(about) : Interval());
 }
 
-// More than 0 where a cell is in contact; nothing where the dataset does not tell.
+// More than 0 where a cell is in contact; nothing where the dataset has neither.
 std::optional<Field> contact_of(const Dataset& data) {
   for (const char* name : {"contact", "pressure"})
     if (data.has(name)) return field_of(data, name, Missing::not_a_number);
@@ -124,13 +124,13 @@ Table quantiles_of(const Sample& of, int rows) {
   return out;
 }
 
-std::string CountedCells::told() const {
+std::string CountedCells::words() const {
   return fmt::format("{} of the {} that {} {}; the other {:.3g} % of {:.0f} cells are {}, and not counted",
                      variable, asperity::counted(static_cast<std::int64_t>(counted), "cell"), verb(counted),
                      which, 100 * (1 - counted / cells), cells, without);
 }
 
-std::string CountedCells::told_of_all() const {
+std::string CountedCells::words_for_all() const {
   return fmt::format("{} of all {:.0f} cells, of which {:.0f} {} {}: asperity-pdf counts these alone",
                      variable, cells, counted, verb(counted), which);
 }

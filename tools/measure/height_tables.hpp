@@ -1,5 +1,5 @@
-/// Tables of the distribution of the heights of a field beside the Gaussian of the same mean and Sq, or of a
-/// quantity of a contact that only a part of the cells has, beside none.
+/// Tables of the distribution of the heights of a field, compared with the Gaussian of the same mean and Sq,
+/// or of a quantity of a contact that only a part of the cells has, without a Gaussian.
 #pragma once
 
 #include <optional>
@@ -35,12 +35,12 @@ struct CountedCells {
   std::string without;  ///< what the others are: "open, without pressure"
 
   /// "pressure of the 3152 cells that are in contact; the other 95.2 % of 65536 cells …".
-  std::string told() const;
+  std::string words() const;
   /// The same where all cells are measured, and what counts these alone.
-  std::string told_of_all() const;
+  std::string words_for_all() const;
 };
 
-/// Of the variables pressure, and gap where a contact or a pressure tells which cells are open; of others
+/// Of the variables pressure, and gap where a contact or a pressure shows which cells are open; of others
 /// nothing. Throws DataError where no cell is counted.
 std::optional<CountedCells> counted_cells(const Dataset& data, const std::string& variable);
 

@@ -223,9 +223,9 @@ void KernelProblem::narrow(Shape surface) {
 
 std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options) {
   if (!tool.given("--acf")) return std::nullopt;
-  std::vector<const char*> options{"model", "length", "length-level", "angle", "rolloff", "cutoff"};
-  for (const ShapeParameter& parameter : shape_parameters) options.push_back(parameter.name);
-  for (const char* option : options)
+  std::vector<const char*> of_model{"model", "length", "length-level", "angle", "rolloff", "cutoff"};
+  for (const ShapeParameter& parameter : shape_parameters) of_model.push_back(parameter.name);
+  for (const char* option : of_model)
     if (given(tool, option))
       throw UsageError(option, "cannot be combined with --acf, which gives the whole autocorrelation");
   AcfTable out = read_acf_table(options.acf, tool.memory_bound());
