@@ -266,38 +266,6 @@ def x3p(surface, rng):
                    "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}), []
 
 
-def gwyddion_text(surface, rng):
-    nx, ny = surface.shape
-    head = (f"# Channel: Z\n# Width: {nx * surface.dx / 1e-6!r} µm\n"
-            f"# Height: {ny * surface.dy / 1e-6!r} µm\n# Value units: m\n")
-    return (head + "\n".join("\t".join(repr(float(v)) for v in line) for line in surface.z.T) + "\n").encode(), []
-
-
-def x3p_document(nx, ny, dx, dy, checksum, link="bindata/data.bin"):
-    axis = "<{0}><AxisType>{1}</AxisType><DataType>D</DataType><Increment>{2!r}</Increment><Offset>0</Offset></{0}>"
-    axes = axis.format("CX", "I", dx) + axis.format("CY", "I", dy) + axis.format("CZ", "A", 1.0)
-    return ('<?xml version="1.0" encoding="UTF-8"?><p:ISO5436_2 xmlns:p="http://www.opengps.eu/2008/ISO5436_2"><Record1>'
-            f"<Revision>ISO5436 - 2000</Revision><FeatureType>SUR</FeatureType><Axes>{axes}</Axes></Record1><Record3>"
-            f"<MatrixDimension><SizeX>{nx}</SizeX><SizeY>{ny}</SizeY><SizeZ>1</SizeZ></MatrixDimension><DataLink>"
-            f"<PointDataLink>{link}</PointDataLink><MD5ChecksumPointData>{checksum}</MD5ChecksumPointData></DataLink></Record3>"
-            "<Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></p:ISO5436_2>").encode()
-
-
-def zipped(members):
-    out = io.BytesIO()
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in members.items():
-            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
-    return out.getvalue()
-
-
-def x3p(surface, rng):
-    values = surface.z.T.astype("<f8").tobytes()
-    main = x3p_document(*surface.shape, surface.dx, surface.dy, hashlib.md5(values).hexdigest().upper())
-    return zipped({"main.xml": main, "bindata/data.bin": values,
-                   "md5checksum.hex": hashlib.md5(main).hexdigest() + " *main.xml\n"}), []
-
-
 def gwy(surface, rng):
     """Gwyddion's own: an object is a name, NUL, a size and components, each a name, NUL, a letter and a value."""
     def part(name, kind, value):

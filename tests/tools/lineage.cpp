@@ -1,16 +1,35 @@
-// What rests on what in a dataset: a result that is replaced takes with it all that was computed from it.
+// What the tools write, and what rests on what: a result that is replaced takes with it all that was computed from it.
 #include "tools/cli/lineage.hpp"
 
+#include <filesystem>
 #include <map>
 #include <regex>
+#include <set>
+#include <sstream>
 
-#include "dataset/layout.hpp"
-#include "tools/results.hpp"
+#include "dataset/catalogue.hpp"
+#include "tools/harness.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
 namespace {
+
+using Words = std::set<std::string>;
+
+const std::string bodies = " --radius 50mm --young 208GPa --poisson 0.3 ";
+
+/// Of a variable or an attribute, "" of what the tools do not know.
+std::string owner(const std::string& name) {
+  const KnownResult* result = result_of(name);
+  return result ? std::string(result->name) : std::string();
+}
+
+bool is_coordinate(const Variable& v) { return v.dimensions == std::vector<std::string>{v.name}; }
+
+bool is_of_the_run(const std::string& name) {
+  return name == "history" || name == "source" || name == "Conventions";
+}
 
 bool stands_on_surface(const Variable& v) {
   return std::ranges::any_of(v.dimensions, [](const std::string& d) { return d == "x" || d == "y"; });
@@ -43,61 +62,38 @@ void write_everything() {
 }
 
 struct Case {
-  std::string command;  // with all.nc for its input
-  std::string tool;
-  Words computed;    // results that it computes anew
-  Words stale;       // that rest on them, or on what they replace
-  bool new_surface;  // whatever lies on (x, y) goes too
+  std::string command;       // with all.nc for its input
+  Words computed;            // results that it computes anew
+  Words stale;               // that rest on them, or on what they replace
+  bool new_surface = false;  // whatever lies on (x, y) goes too
+
+  std::string tool() const { return command.substr(0, command.find(' ')); }
 };
 
 const std::vector<Case>& cases() {
+  static const Words of_surface{"filter", "acf", "psd", "contact", "residual", "stress"};
+  static const Words of_kernel{"heights", "filter", "acf", "psd", "contact", "residual", "stress"};
+  static const Words but_filter{"kernel", "acf", "psd", "contact", "residual", "stress"};
   static const std::vector<Case> list{
-      {"asperity-contact all.nc --load 2N" + bodies,
-       "asperity-contact",
-       {"contact"},
-       {"residual", "stress"},
-       false},
-      {"asperity-contact all.nc --load 2N --variable heights_residual" + bodies,
-       "asperity-contact",
-       {"contact"},
-       {"stress"},
-       false},
+      {"asperity-contact all.nc --load 2N" + bodies, {"contact"}, {"residual", "stress"}},
+      {"asperity-contact all.nc --load 2N --variable heights_residual" + bodies, {"contact"}, {"stress"}},
       {"asperity-contact all.nc --load 2N --yield 90MPa --add heights_residual" + bodies,
-       "asperity-contact",
        {"contact", "residual"},
-       {"stress"},
-       false},
-      {"asperity-stress all.nc --maximum", "asperity-stress", {"stress"}, {}, false},
-      {"asperity-stress all.nc --depths 0:50um:3 --components zz --friction 0.2",
-       "asperity-stress",
-       {"stress"},
-       {},
-       false},
-      {"asperity-stress all.nc --depths 0:50um:3 --section y=0", "asperity-stress", {"stress"}, {}, false},
-      {"asperity-acf all.nc --max-lag 4x4", "asperity-acf", {"acf"}, {}, false},
-      {"asperity-acf all.nc --variable pressure --max-lag 4x4", "asperity-acf", {"acf"}, {}, false},
-      {"asperity-psd all.nc --window none", "asperity-psd", {"psd"}, {}, false},
-      {"asperity-generate --seed 8 --add kernel < all.nc",
-       "asperity-generate",
-       {"heights"},
-       {"filter", "acf", "psd", "contact", "residual", "stress"},
-       true},
+       {"stress"}},
+      {"asperity-stress all.nc --maximum", {"stress"}, {}},
+      {"asperity-stress all.nc --depths 0:50um:3 --components zz --friction 0.2", {"stress"}, {}},
+      {"asperity-stress all.nc --depths 0:50um:3 --section y=0", {"stress"}, {}},
+      {"asperity-acf all.nc --max-lag 4x4", {"acf"}, {}},
+      {"asperity-acf all.nc --variable pressure --max-lag 4x4", {"acf"}, {}},
+      {"asperity-psd all.nc --window none", {"psd"}, {}},
+      {"asperity-generate --seed 8 --add kernel < all.nc", {"heights"}, of_surface, true},
       {"asperity-generate --acf all.nc --infeasible nearest --seed 8 --add kernel",
-       "asperity-generate",
        {"kernel", "heights"},
-       {"filter", "acf", "psd", "contact", "residual", "stress"},
+       of_surface,
        true},
-      {"asperity-kernel --acf all.nc --infeasible nearest",
-       "asperity-kernel",
-       {"kernel"},
-       {"heights", "filter", "acf", "psd", "contact", "residual", "stress"},
-       true},
-      {"asperity-filter all.nc --crop 0:8,2:",
-       "asperity-filter",
-       {"heights", "filter"},
-       {"kernel", "acf", "psd", "contact", "residual", "stress"},
-       true},
-      {"asperity-convert all.nc", "asperity-convert", {}, {}, false},
+      {"asperity-kernel --acf all.nc --infeasible nearest", {"kernel"}, of_kernel, true},
+      {"asperity-filter all.nc --crop 0:8,2:", {"heights", "filter"}, but_filter, true},
+      {"asperity-convert all.nc", {}, {}},
   };
   return list;
 }
@@ -116,10 +112,6 @@ std::map<std::string, Values> contents(const Dataset& data) {
   }
   for (const Attribute& a : data.attributes) out["attribute " + a.name] = a.values;
   return out;
-}
-
-bool is_of_the_run(const std::string& name) {
-  return name == "history" || name == "source" || name == "Conventions";
 }
 
 }  // namespace
@@ -168,7 +160,7 @@ TEST_CASE("what went is said in one line, which --quiet silences, and where noth
   for (const Case& c : cases()) {
     const Outcome run = run_into(c.command, "now.nc"), quiet = run_into(c.command + " --quiet", "now.nc");
     CAPTURE(c.command, run.error);
-    const std::string start = c.tool + ": dropped results of the former ";
+    const std::string start = c.tool() + ": dropped results of the former ";
     const bool any = !cli::Inventory(before).missing_in(read_dataset("now.nc")).empty();
     const std::size_t at = run.error.find(start);
     CHECK((at != run.error.npos) == any);
@@ -288,4 +280,118 @@ TEST_CASE("a map that is cut keeps what is not of the surface, its history too",
   CHECK(!cut.has("own_field"));
   CHECK_THAT(cut.attributes.text("history"), ContainsSubstring("asperity-generate"));
   CHECK(grid_of(cut).shape == Shape{8, 6});
+}
+
+// ---- the table of what the tools write: it names whatever they do, and the documentation nothing else ----
+
+TEST_CASE("the table names whatever the tools write", "[lineage][contract][slow]") {
+  const std::string draw = "asperity-generate --shape 16x12 --size 1.6mm,1.2mm --rq 0.4um --seed 7 ";
+  const std::string commands[] = {
+      draw + "--length 3px --add noise --skewness 0.5 --kurtosis 4",
+      draw + "--length 3px --method filter --skewness 0.3 --kurtosis 3.5",
+      draw + "--length 3px --model matern",
+      draw + "--length 3px --model self-affine",
+      draw + "--length 3px --model stretched-exponential --exponent 1.5",
+      draw + "--length 3px --model exponential-cosine --wavelength 6px",
+      draw +
+          "--length 3px | asperity-acf --add structure_function,acf_quantiles --direction 30deg --max-lag "
+          "5x5",
+      draw +
+          "--length 3px | asperity-acf --add acf_quantiles | asperity-kernel --acf - --infeasible nearest "
+          "--marginal measured",
+      draw + "--length 3px | asperity-filter --remove-form plane",
+      draw + "--length 3px | asperity-psd",
+      draw +
+          "--length 3px -o d.nc && asperity-contact d.nc --counter d.nc --load 5N --yield 100MPa --add "
+          "heights_residual,contact_ratios,elastic_energy,patches" +
+          bodies,
+      "asperity-contact d.nc --approach 0.2um" + bodies +
+          " | asperity-stress --depths 0:50um:3 --maximum "
+          "--components all,principal_directions --friction 0.2 --above 0.1p0",
+      "asperity-contact --smooth --shape 16x16 --size 3mm --load 5N" + bodies +
+          " | asperity-stress --depths 0,10um --section x=0",
+  };
+  for (const std::string& command : commands) {
+    const Outcome run = shell(command + " > named.nc");
+    CAPTURE(command, run.error);
+    REQUIRE((run.exit == 0 || run.exit == 3));
+    const Dataset data = read_dataset("named.nc");
+    for (const Variable& v : data.variables) {
+      CAPTURE(v.name);
+      CHECK((is_coordinate(v) || !owner(v.name).empty()));
+    }
+    for (const Attribute& a : data.attributes) {
+      CAPTURE(a.name);
+      CHECK((is_of_the_run(a.name) || !owner(a.name).empty()));
+    }
+  }
+}
+
+// A name that some run may write and no run above did.
+TEST_CASE("the table lists every name under a tool's prefix that stands in a source of the tools",
+          "[lineage][contract]") {
+  const std::regex name("\"((kernel|generate|filter|contact|stress|acf|psd)_[a-z0-9_]*[a-z0-9])\"");
+  int found = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(ASPERITY_TEST_DATA "/../../tools")) {
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+    std::ifstream in(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    for (std::sregex_iterator at(text.begin(), text.end(), name), end; at != end; ++at) {
+      if ((*at)[1] == "contact_ratios") continue;  // a word of --add
+      CAPTURE(entry.path(), (*at)[1].str());
+      CHECK(!owner((*at)[1].str()).empty());
+      ++found;
+    }
+  }
+  CHECK(found >= 100);
+}
+
+TEST_CASE("no name belongs to two results, and each rests on results", "[lineage][exact]") {
+  Words variables, attributes, results;
+  const auto once = [](Words& seen, std::string_view name) {
+    CAPTURE(name);
+    CHECK(seen.insert(std::string(name)).second);
+  };
+  for (const KnownResult& r : known_results()) {
+    std::istringstream bases{std::string(r.rests_on)};
+    for (std::string base; bases >> base;) CHECK(results.contains(base));
+    once(results, r.name);
+    std::istringstream own{std::string(r.variables)};
+    for (std::string name; own >> name;) {
+      once(variables, name);
+      CHECK(result_of_variable(name) == &r);
+    }
+  }
+  for (const KnownAttribute& a : known_attributes()) {
+    once(attributes, a.name);
+    CHECK(!variables.contains(std::string(a.name)));
+    CHECK(a.name.starts_with(result_of_attribute(a.name)->prefix));
+  }
+}
+
+TEST_CASE(
+    "docs/dataset.md names variables and attributes of the table alone, and infinite ones that may be so",
+    "[lineage][contract]") {
+  std::ifstream in(ASPERITY_TEST_DATA "/../../docs/dataset.md");
+  const std::regex quoted("`([A-Za-z_]+)[^`]*`"),
+      attribute("(kernel|generate|filter|contact|stress|acf|psd)_[a-z_]+[a-z]");
+  const Words coordinates{"x", "y", "z", "p", "q"};
+  bool open = false;
+  int found = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty()) open = false;
+    open = open || line.find("may be infinite") != line.npos;
+    const bool row = line.starts_with("| `");
+    const std::string cell = row ? line.substr(0, line.find('|', 1)) : line;
+    for (std::sregex_iterator at(cell.begin(), cell.end(), quoted), end; at != end; ++at) {
+      const std::string name = (*at)[1];
+      CAPTURE(line, name);
+      if (!row && !std::regex_match(name, attribute)) continue;
+      if (row && coordinates.contains(name)) continue;
+      ++found;
+      CHECK(!owner(name).empty());
+      if (const KnownAttribute* known = known_attribute(name); open && known) CHECK(known->open);
+    }
+  }
+  CHECK(found >= 40);
 }
