@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <numbers>
 
-#include "acf/self_affine.hpp"
+#include "acf/radial.hpp"
 #include "acf/table.hpp"
 #include "tools/harness.hpp"
 #include "transform/plan.hpp"
