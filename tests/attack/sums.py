@@ -17,10 +17,10 @@ def autocorrelation(z):
 
 def wrapped(length, shape):
     """exp(-ln 10 r / length), summed over the periods, 1 at the origin."""
-    reach = int(4 * length / min(shape)) + 2
-    x, y = (np.arange(-reach * n, (reach + 1) * n) for n in shape)
+    nx, ny = (int(4 * length / n) + 2 for n in shape)  # periods to either side, as many as the correlation reaches
+    x, y = (np.arange(-periods * n, (periods + 1) * n) for periods, n in zip((nx, ny), shape))
     r = np.hypot(*np.meshgrid(x, y, indexing="ij"))
-    rho = np.exp(-np.log(10) * r / length).reshape(2 * reach + 1, shape[0], 2 * reach + 1, shape[1]).sum((0, 2))
+    rho = np.exp(-np.log(10) * r / length).reshape(2 * nx + 1, shape[0], 2 * ny + 1, shape[1]).sum((0, 2))
     return rho / rho[0, 0]
 
 
