@@ -33,7 +33,9 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
+#include "core/field.hpp"
 #include "stress/component.hpp"
 
 namespace asperity {
@@ -60,20 +62,31 @@ stress::Tensor uniform_load_stress(double x, double y, double z, double a, doubl
 
 namespace stress {
 
-/// Below one mode of a periodic load: (3), (4) of stress/layer_influence.hpp, and its mean.
-/// The wave numbers may be negative; both zero are the mean load.
-struct Wave {
-  double qx, qy, z, nu;
-  double q = std::hypot(qx, qy), e = std::exp(-q * z);
+/// Below one mode of a periodic load, or below each of an array of modes: (3), (4) of
+/// stress/layer_influence.hpp. The wave numbers may be negative; of a single mode both zero are the mean
+/// load.
+template <class Real>
+struct Waves {
+  Real qx, qy;
+  double z, nu;
+  Real q = wave_number(qx, qy), e = decayed(-z * q);
 
   /// S of component c under traction t.
-  double operator()(Traction t, Component c) const {
-    if (q == 0) return mean(t, c);
+  Real operator()(Traction t, Component c) const {
+    if constexpr (std::is_same_v<Real, double>)
+      if (q == 0) return mean(t, c);
     if (t == normal) return pressed(c);
     return t == shear_x ? sheared(qx, qy, c) : sheared(qy, qx, exchanged(c));
   }
 
  private:
+  static double wave_number(double x, double y) { return std::hypot(x, y); }
+  static Eigen::ArrayXd wave_number(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+    return (x.square() + y.square()).sqrt();
+  }
+  static double decayed(double exponent) { return std::exp(exponent); }
+  static Eigen::ArrayXd decayed(const Eigen::ArrayXd& exponent) { return exponent.exp(); }
+
   double mean(Traction t, Component c) const {
     if (t == shear_x) return c == xz ? -1 : 0;
     if (t == shear_y) return c == yz ? -1 : 0;
@@ -81,8 +94,8 @@ struct Wave {
     return c == xx || c == yy ? -nu / (1 - nu) : 0;
   }
 
-  double pressed(Component c) const {
-    const double bend = ((1 - 2 * nu) / q - z) / q;
+  Real pressed(Component c) const {
+    const Real bend = ((1 - 2 * nu) / q - z) / q;
     if (c == xx) return -(2 * nu + qx * qx * bend) * e;
     if (c == yy) return -(2 * nu + qy * qy * bend) * e;
     if (c == zz) return -(1 + q * z) * e;
@@ -92,8 +105,8 @@ struct Wave {
   }
 
   // By a traction along the axis of `along`.
-  double sheared(double along, double across, Component c) const {
-    const double k = z + 2 * nu / q, w = e / q;
+  Real sheared(const Real& along, const Real& across, Component c) const {
+    const Real k = z + 2 * nu / q, w = e / q;
     if (c == xx) return -along * (2 + 2 * nu - k * along * along / q) * w;
     if (c == yy) return -along * (2 * nu - k * across * across / q) * w;
     if (c == zz) return -along * q * z * w;
@@ -102,6 +115,8 @@ struct Wave {
     return -along * across * z * w;
   }
 };
+
+using Wave = Waves<double>;
 
 }  // namespace stress
 }  // namespace asperity

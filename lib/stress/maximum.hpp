@@ -24,8 +24,9 @@
 ///           pressure's among them; 14 where whole layers are scanned: below 64 cells a side, for cells
 ///           longer than twice their width, for a load that repeats along both axes, and for one that
 ///           repeats along one by no multiple of four. Above 6 Δ these are layers of the full cells. Where
-///           cells repeat along one axis a point takes 20 μs a loaded cell (stress/points.hpp); along both 27
-///           ms at 1024² cells, so that many nearly equal maxima, as at a limit pressure, take 6 s there.
+///           cells repeat along one axis a point takes 20 μs a loaded cell (stress/points.hpp); along both 4
+///           ms at 1024² cells, and many nearly equal maxima, as at a limit pressure, take 3 s there, five
+///           times the contact.
 ///           Maxima that recur are refined once.
 #pragma once
 

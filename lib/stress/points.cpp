@@ -28,19 +28,18 @@ constexpr double off_corner = 1e-30;      // of a corner: on it an arc tangent i
 constexpr double corners_cancel = 100;    // cells of depth, times the root of those loaded
 
 // exp(i 2π k share) for k = 0 … n/2; of k = n/2 half, for its two directions.
-std::vector<Complex> waves(Index n, double share) {
-  std::vector<Complex> out(size(n / 2 + 1));
-  for (Index k = 0; k <= n / 2; ++k)
-    out[size(k)] = std::polar(2 * k == n ? 0.5 : 1.0,
-                              2 * std::numbers::pi * std::remainder(static_cast<double>(k) * share, 1));
-  return out;
+Eigen::ArrayXcd waves(Index n, double share) {
+  return Eigen::ArrayXcd::NullaryExpr(n / 2 + 1, [=](Index k) {
+    return std::polar(2 * k == n ? 0.5 : 1.0,
+                      2 * std::numbers::pi * std::remainder(static_cast<double>(k) * share, 1));
+  });
 }
 
 void add(Tensor& sum, double factor, const Tensor& s) {
   for (Component c : stress::components) sum[c] += factor * s[c];
 }
 
-// Of the modes (±kx, ky), with the waves of the place: what even symbols answer to, and odd ones.
+// The modes (±kx, ky), with the waves of the place, for even symbols and for odd ones.
 struct Pair {
   Complex even, odd;
 };
@@ -52,6 +51,21 @@ void add(const Pair& p, const stress::Wave& wave, const LoadWeights& weights, Te
       const Complex& z = odd_in_x(c, t) ? p.odd : p.even;
       const double part[] = {z.real(), z.imag(), -z.real()};  // of (-i)^m z
       sum[c] += weights[t] * wave(t, c) * part[odd_in_x(c, t) + odd_in_y(c, t)];
+    }
+  }
+}
+
+// Likewise of a row of modes kx.
+void add_row(const Eigen::ArrayXcd& even, const Eigen::ArrayXcd& odd,
+             const stress::Waves<Eigen::ArrayXd>& wave, const LoadWeights& weights, Tensor& sum) {
+  for (Traction t : stress::tractions) {
+    if (weights[t] == 0) continue;
+    for (Component c : stress::components) {
+      const Eigen::ArrayXcd& z = odd_in_x(c, t) ? odd : even;
+      const int turns = odd_in_x(c, t) + odd_in_y(c, t);
+      Eigen::ArrayXd part = z.real();
+      if (turns == 1) part = z.imag();
+      sum[c] += (turns == 2 ? -weights[t] : weights[t]) * (wave(t, c) * part).sum();
     }
   }
 }
@@ -196,22 +210,29 @@ Tensor StressPoints::below_images(double x, double y, double z) const {
 Tensor StressPoints::below_waves(double x, double y, double z) const {
   const Grid& grid = body_.grid;
   const auto [nx, ny] = grid.shape;
-  const std::vector<Complex> along_x = waves(nx, (x - grid.x(0)) / grid.size_x()),
-                             along_y = waves(ny, (y - grid.y(0)) / grid.size_y());
-  const Index width = PrunedTransform::width, stride = modes_->transform.stride();
+  const Eigen::ArrayXcd along_x = waves(nx, (x - grid.x(0)) / grid.size_x()),
+                        along_y = waves(ny, (y - grid.y(0)) / grid.size_y());
+  const double first_x = 2 * std::numbers::pi / grid.size_x(), first_y = 2 * std::numbers::pi / grid.size_y();
+  const Eigen::ArrayXd qx = first_x * Eigen::ArrayXd::LinSpaced(nx / 2 + 1, 0, static_cast<double>(nx / 2));
+  const Index stride = modes_->transform.stride();
   Tensor sum{};
   for (Index ky = 0; ky <= ny / 2; ++ky) {
-    const Complex* p = modes_->pressure(ky / width) + ky % width * stride;
-    const Complex across = (ky == 0 ? 1.0 : 2.0) * along_y[size(ky)];  // with (-kx, -ky)
-    for (Index kx = 0; kx <= nx / 2; ++kx) {
-      const stress::Wave wave{2 * std::numbers::pi * static_cast<double>(kx) / grid.size_x(),
-                              2 * std::numbers::pi * static_cast<double>(ky) / grid.size_y(), z,
-                              body_.poisson};
-      if (wave.q * z > faded) break;
-      const Complex ahead = p[kx] * along_x[size(kx)] * across,
-                    back = kx == 0 ? Complex{} : p[nx - kx] * std::conj(along_x[size(kx)]) * across;
-      add({ahead + back, ahead - back}, wave, weights_, sum);
-    }
+    const Complex* p = modes_->pressure(ky / block_columns) + ky % block_columns * stride;
+    const Complex across = (ky == 0 ? 1.0 : 2.0) * along_y(ky);  // with (-kx, -ky)
+    const double qy = first_y * static_cast<double>(ky), felt = faded / std::max(z, 1e-300);
+    if (qy > felt) break;
+    const Complex middle = p[0] * along_x(0) * across;
+    add({middle, middle}, stress::Wave{0, qy, z, body_.poisson}, weights_, sum);
+    const Index n = static_cast<Index>(
+        std::min(static_cast<double>(nx / 2), std::sqrt((felt - qy) * (felt + qy)) / first_x));
+    if (n == 0) continue;
+    using Modes = Eigen::Map<const Eigen::ArrayXcd>;
+    const auto phase = along_x.segment(1, n);
+    const Eigen::ArrayXcd ahead = Modes(p + 1, n) * phase * across,
+                          back = Modes(p + nx - n, n).reverse() * phase.conjugate() * across;
+    const stress::Waves<Eigen::ArrayXd> wave{qx.segment(1, n), Eigen::ArrayXd::Constant(n, qy), z,
+                                             body_.poisson};
+    add_row(ahead + back, ahead - back, wave, weights_, sum);
   }
   return sum;
 }

@@ -22,7 +22,7 @@
 /// Accuracy  (1) 4e-13 of the stress, however far; (2) 1e-11 of max p; (3) ε n max p on n × n cells, as
 ///           the layers.
 /// Cost      (1) some 1 µs a loaded cell; (2) 20 times that, but 1 µs a row that is uniform; (3) a transform
-///           once, then some 0.04 µs for each pair of modes ±kx that is felt: nx ny / 4 at the surface, at
+///           once, then some 0.015 µs for each pair of modes ±kx that is felt: nx ny / 4 at the surface, at
 ///           most 32 Lx Ly / z² at depth z.
 #pragma once
 
