@@ -7,7 +7,7 @@
 #include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/surface/drawing.hpp"
-#include "tools/surface/surface_kernel.hpp"
+#include "tools/surface/generate_options.hpp"
 
 using namespace asperity;
 

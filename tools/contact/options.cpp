@@ -76,8 +76,7 @@ void ContactOptions::declare_surface(Tool& tool) {
   tool.quantities("--size", size, "m", "Side lengths in x and y, with --smooth", surface).needs(plain);
   tool.text("--counter", counter, "FILE",
             "Heights of the second body, on the same grid, positive towards the first. The gap is the form "
-            "less both "
-            "heights at the same (x, y): mirror a body that was measured face up",
+            "less both heights at the same (x, y): mirror a body that was measured face up",
             surface);
   tool.choice(
       "--boundary", boundary, {"free", "periodic", "periodic_x", "periodic_y"},

@@ -254,10 +254,8 @@ std::vector<StepKind> grid_steps() {
       {"mirror", "x|y|both", "Reverse the order of the points along x, y or both", group, mirror},
       {"make-periodic", "AXIS[,HOW]",
        "Let the map repeat along AXIS: x, y or both. A note gives the jump at the seam. HOW makes it "
-       "smaller; "
-       "tilt: "
-       "by a tilt that removes its mean, taper=LENGTH: by fading the heights to their mean within LENGTH of "
-       "both ends; x,tilt",
+       "smaller; tilt: by a tilt that removes its mean, taper=LENGTH: by fading the heights to their mean "
+       "within LENGTH of both ends; x,tilt",
        group, make_periodic}};
 }
 

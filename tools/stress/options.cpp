@@ -19,16 +19,14 @@ void StressOptions::declare(Tool& tool) {
             where);
   tool.text("--section", section, "AXIS=PLACE",
             "Compute one vertical section only; y=0, x=0.2mm, or y=max: through the largest stress, that of "
-            "--of. It "
-            "runs through the nearest row of cells",
+            "--of. It runs through the nearest row of cells",
             where);
   declare_maximum(tool);
   tool.text("--points", points, "FILE",
             "Print a table of the stress at points instead; x, y and depth with their units on each line "
             "(1um 0 5um), or under a header with units, '# x [um] y [um] depth [um]'; - is standard input. "
-            "On a side "
-            "or corner of cells a stress that steps is the mean of theirs, if the load repeats along one "
-            "axis at most",
+            "On a side or corner of cells a stress that steps is the mean of theirs, if the load repeats "
+            "along one axis at most",
             where);
   tool.choice(
       "--result", result, {"dataset", "maxima"},
@@ -39,8 +37,7 @@ void StressOptions::declare(Tool& tool) {
   declare_body(tool);
   tool.memory(
       "Memory limit for a result that goes into a pipe, which needs its range first; a larger one is "
-      "computed again "
-      "for each variable. Files receive their layers one by one");
+      "computed again for each variable. Files receive their layers one by one");
   tool.output();
   tool.table();
   tool.report();
@@ -55,8 +52,7 @@ void StressOptions::declare_maximum(Tool& tool) {
             "Search for the largest stress, its place and depth; --depths are not needed", where);
   tool.choice("--of", of, {"von_mises", "max_shear", "principal"},
               "Stress of --maximum and of --result maxima; von_mises, max_shear: by Tresca, or principal: "
-              "the largest "
-              "one, positive in tension",
+              "the largest one, positive in tension",
               where);
   tool.text(
       "--below", below, "DEPTH",
@@ -76,8 +72,7 @@ void StressOptions::declare_content(Tool& tool) {
             content);
   tool.text("--above", above, "STRESS",
             "Leave out stresses of smaller magnitude; 100MPa, 0.1p0 (of the Hertz pressure) or 0.1pmax (of "
-            "the largest "
-            "contact pressure). They become _FillValue",
+            "the largest contact pressure). They become _FillValue",
             content);
   tool.choice(
       "--resolution", resolution, {"adapted", "full"},

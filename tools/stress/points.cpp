@@ -126,9 +126,8 @@ std::string infinite(const StressScene& scene, const StressPoints& below, const 
   if (first == points.end()) return {};
   const bool slides = scene.body.friction.coefficient > 0;
   return fmt::format(
-      "; at {} of them, the first at ({:.6g}, {:.6g}) um, on a {} of a cell at the surface, {} "
-      "infinite, and the finite value here that of a smooth load: move them to a cell's centre "
-      "or below the surface",
+      "; at {} of them, the first at ({:.6g}, {:.6g}) um, on a {} of a cell at the surface, {} infinite, and "
+      "the finite value here that of a smooth load: move them to a cell's centre or below the surface",
       std::ranges::count_if(points, singular), (*first)[0] * 1e6, (*first)[1] * 1e6,
       slides ? "side" : "corner", slides ? "stress_xx, stress_yy or stress_xy is" : "stress_xy is");
 }

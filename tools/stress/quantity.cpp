@@ -108,8 +108,13 @@ void LayerRows::compute(Index l, double z, StressSolver::Workspace& work, const 
 
 void LayerRows::at_once(double z, StressSolver::Workspace& work, const Take& take,
                         const BehindRows& after) const {
-  auto row = [&](Index i, const StressRow& values) {
-    for (const Placed& placed : placed_) hand_over(placed, values, i, take);
+  const std::size_t outputs = selection_.outputs().size(), points = size(solver_.shape().ny);
+  auto row = [&](Index i, const StressRow& stress) {
+    std::vector<double> values(outputs * points);
+    std::vector<std::span<double>> out;
+    for (std::size_t k = 0; k < outputs; ++k) out.push_back(std::span(values).subspan(k * points, points));
+    selection_.compute(stress, out);
+    for (std::size_t k = 0; k < outputs; ++k) take(k, i, out[k]);
   };
   solver_.layer(z, selection_.needs(), work, row, after);
 }
@@ -122,11 +127,11 @@ void LayerRows::one_by_one(double z, StressSolver::Workspace& work, std::optiona
     const auto only = stress::Set().set(c);
     if ((selection_.needs() & only).none()) continue;
     auto take_row = [&](Index i, const StressRow& row) {
-      for (const Placed& placed : placed_)
-        if (placed.quantity->needs == only) hand_over(placed, row, i, take);
+      std::vector<double> values(row[c].begin(), row[c].end());
+      for (const auto& [quantity, first] : placed_)
+        if (quantity->needs == only) take(first, i, values);
       if (mises) mises->add(c, i - own.first, row[c]);
       if (!mises || c != stress::yz) return;
-      std::vector<double> values(row[c].size());
       for (const auto& [quantity, first] : placed_) {
         if (quantity->of_mises == 0) continue;
         mises->row(i - own.first, quantity->of_mises, values);
@@ -135,16 +140,6 @@ void LayerRows::one_by_one(double z, StressSolver::Workspace& work, std::optiona
     };
     solver_.layer(z, only, work, take_row, after);
   }
-}
-
-void LayerRows::hand_over(const Placed& placed, const StressRow& row, Index i, const Take& take) const {
-  const auto points = size(solver_.shape().ny);
-  const std::size_t count = placed.quantity->outputs.size();
-  std::vector<double> values(count * points);
-  std::vector<std::span<double>> out;
-  for (std::size_t k = 0; k < count; ++k) out.push_back(std::span(values).subspan(k * points, points));
-  placed.quantity->compute(row, out);
-  for (std::size_t k = 0; k < count; ++k) take(placed.first + k, i, out[k]);
 }
 
 }  // namespace asperity::cli

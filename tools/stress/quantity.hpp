@@ -70,7 +70,6 @@ class LayerRows {
   void at_once(double z, StressSolver::Workspace& work, const Take& take, const BehindRows& after) const;
   void one_by_one(double z, StressSolver::Workspace& work, std::optional<MisesLayer>& mises, const Take& take,
                   const BehindRows& after) const;
-  void hand_over(const Placed& placed, const StressRow& row, Index i, const Take& take) const;
 
   const StressSelection& selection_;
   const StressSolver& solver_;

@@ -1,6 +1,17 @@
 #include "tools/surface/generate_options.hpp"
 
+#include <algorithm>
+
+#include "acf/kernel.hpp"
+#include "acf/table.hpp"
+#include "dataset/layout.hpp"
+#include "dataset/netcdf.hpp"
+#include "marginal/prescribed.hpp"
+#include "stats/measure/surface.hpp"
+#include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/surface/periodic_kernel.hpp"
+#include "tools/surface/prospect.hpp"
 
 namespace asperity::cli {
 
@@ -22,9 +33,8 @@ void GenerateOptions::declare(Tool& tool) {
   tool.flag(
       "--periodic", periodic,
       "Draw a surface that continues at its opposite edge. If the correlation is longer than half the "
-      "period, the "
-      "surface has the sum over the periods at the same rms height, and a note says so; --acf with all lags "
-      "of a periodic surface of this shape is met exactly",
+      "period, the surface has the sum over the periods at the same rms height, and a note says so; --acf "
+      "with all lags of a periodic surface of this shape is met exactly",
       surface);
   tool.words("--add", add, {"noise", "kernel"},
              "Further variables to write; noise: the white noise under the centre of the kernel; kernel: the "
@@ -51,19 +61,16 @@ void GenerateOptions::declare_drawing(Tool& tool) {
   tool.threads();
   tool.memory(
       "Memory limit for the kernel and the drawing, besides 20 MB of the program. A larger surface is drawn "
-      "and "
-      "written in strips; into a pipe, or with --exact-rq, it is then drawn twice, because its range "
-      "precedes it. "
-      "The limit does not change the surface, to the last bit");
+      "and written in strips; into a pipe, or with --exact-rq, it is then drawn twice, because its range "
+      "precedes it. The limit does not change the surface, to the last bit");
   tool.essential({"--shape", "--size", "--rq", "--length", "--model", "--acf", "--periodic", "--cutoff",
                   "--skewness", "--kurtosis", "--count", "--seed", "--output"});
   tool.example(
       "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
   tool.accuracy(
       "The ensemble has the autocorrelation acf_achieved of the dataset to round-off; kernel_error is its "
-      "distance "
-      "from the target. One surface estimates the ensemble with sampling error: see asperity-stats and "
-      "asperity-acf.");
+      "distance from the target. One surface estimates the ensemble with sampling error: see asperity-stats "
+      "and asperity-acf.");
 }
 
 void GenerateOptions::check_outputs(Tool& tool) const {
@@ -91,6 +98,184 @@ Synthesis GenerateOptions::synthesis(const Tool& tool, Field kernel_values, Poin
           shape,
           {periodic, Summation::cheapest, at_once > 1 ? 1 : tool.thread_count(), tool.memory() / share,
            std::move(translation), held / share}};
+}
+
+namespace {
+
+// Shape and size of the surface that the kernel's dataset has or had, or its period, unless given.
+void adopt_grid(const Tool& tool, GenerateOptions& o, const Dataset& data) {
+  if (tool.given("--shape")) return;
+  if (!data.has("x") || !data.has("y")) {
+    const std::optional<Shape> period = kernel_period(data);
+    if (!period) throw UsageError("shape", "is required: the autocorrelation has no grid");
+    o.shape = *period;
+    return;
+  }
+  const Grid grid = grid_of(data);
+  o.shape = grid.shape;
+  if (!tool.given("--size")) o.size = {grid.size_x(), grid.size_y()};
+}
+
+// Throws ParameterError("memory") where a kernel of these lags leaves none for a strip of the surface.
+void refuse_drawing(const Tool& tool, const GenerateOptions& o, Shape lags) {
+  auto side = [&](Index n, Index period) { return o.periodic ? std::min(2 * n - 1, period) : 2 * n - 1; };
+  o.synthesis(tool, Field::Zero(side(lags.nx, o.shape.nx), side(lags.ny, o.shape.ny)), {}, 0, 1);
+}
+
+void require_model(const Tool& tool) {
+  if (!tool.given("--shape")) throw UsageError("shape", "is required");
+  if (!tool.given("--length") && !tool.given("--rolloff"))
+    throw UsageError("length", "is required, or --acf or --kernel");
+  if (!tool.given("--size")) throw UsageError("size", "is required");
+}
+
+SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
+  if (!tool.given("--acf")) require_model(tool);
+  const bool sized = tool.given("--shape") && tool.given("--size");
+  KernelProblem problem =
+      kernel_problem(tool, o.acf, wanted_table(tool, o.acf),
+                     sized ? spacing_of(o.shape, o.size) : std::nullopt, o.periodic ? o.shape : Shape{});
+  if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
+  adopt_grid(tool, o, problem.data);
+  if (!o.periodic || problem.period != o.shape) problem.period.reset();
+  problem.narrow(o.shape);
+  foresee(tool, problem, o.shape, o.adds("kernel"));
+  if (problem.band || !problem.request.target.known)
+    refuse_drawing(tool, o, problem.band ? o.shape : first_lags(problem.request));
+  if (o.periodic) problem.wrap(tool, o.shape);
+  HeightsWithAcf measured = problem.measured;
+  const SolvedKernel kernel = solve(tool, problem, true);
+  return {record(tool, std::move(problem), kernel, true), {}, std::move(measured)};
+}
+
+// A surface that was drawn without --add kernel.
+void refuse_surface(const Dataset& data) {
+  if (!data.has("kernel") && data.attributes.find("generate_seed"))
+    throw DataError("kernel",
+                    "it was not kept with this surface: name the file of asperity-kernel, draw from its "
+                    "autocorrelation by --acf, or draw the surface with --add kernel");
+}
+
+SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
+  if (!tool.given("--kernel") && stdin_is_device())
+    throw UsageError("length", "is required, or --kernel, or a kernel on standard input");
+  const std::string name = tool.given("--kernel") ? o.kernel : "-";
+  tool.reads(name, true);
+  const Bytes bytes = read_all(name, tool.memory_bound());
+  const std::string heights = MarginalOptions::given(tool);
+  if (!heights.empty() && !o.acf.filters())
+    throw UsageError(heights, "applies when the kernel is solved (asperity-kernel), or with --method filter");
+  SurfaceKernel out;
+  out.data = decode_netcdf(bytes, tool.memory_bound(bytes.size()));
+  refuse_surface(out.data);
+  tool.settle(out.data);
+  adopt_grid(tool, o, out.data);
+  out.before = Inventory(out.data);
+  drop_surface(out.data);
+  foresee_extent(tool, target_of_table(known_lags(kernel_of(out.data).acf_target)), o.shape,
+                 tool.given("--shape") ? "shape" : "kernel");
+  report_read(tool, out.data);
+  return out;
+}
+
+SurfaceKernel solved_or_read(const Tool& tool, GenerateOptions& o) {
+  const std::string target = o.target_option(tool);
+  if (!tool.given("--kernel") && (!target.empty() || stdin_is_terminal())) return solved(tool, o);
+  if (!target.empty()) throw UsageError(target, "cannot be combined with --kernel");
+  return read(tool, o);
+}
+
+// The kernel's tables with the height and the spacing of this surface.
+KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Dataset& data) {
+  KernelTables tables = kernel_of(data);
+  if (tool.given("--rq")) {
+    check_rms(o.acf.rms);
+    tables.scale(o.acf.rms / tables.rms());
+    tables.has_height = true;
+  }
+  if (!tables.has_height) throw UsageError("rq", "is required: the kernel has unit variance");
+  if (std::isnan(o.size[0])) {
+    if (!tables.spacing) throw UsageError("size", "is required: the kernel counts its lags in samples");
+    return tables;
+  }
+  const Spacing spacing = spacing_of(o.shape, o.size);
+  if (tables.spacing && tables.acf_target.rows() == 1) (*tables.spacing)[0] = (*spacing)[0];  // a single lag
+  if (tables.spacing && tables.acf_target.cols() == 1) (*tables.spacing)[1] = (*spacing)[1];
+  require_spacing("size", "gives a spacing", spacing, "the kernel has", tables.spacing, 1e-9);
+  tables.spacing = spacing;
+  return tables;
+}
+
+// What errors of the surface ask for of the autocorrelation, in place of the kernel.
+void carry_correlation(Dataset& data, const KernelTables& tables, const Grid& grid) {
+  const Shape lags = lags_of_errors(grid);
+  auto asked = [lags](const Field& table) -> Field {
+    const Index rows = std::min(table.rows(), lags.nx + 1), columns = std::min(table.cols(), 2 * lags.ny + 1);
+    return table.block(0, (table.cols() - columns) / 2, rows, columns);
+  };
+  drop_variable(data, "kernel");
+  set_correlation(data, {.kernel = {},
+                         .acf_target = asked(tables.acf_target),
+                         .acf_achieved = asked(tables.acf_achieved),
+                         .has_height = tables.has_height,
+                         .spacing = tables.spacing,
+                         .period = tables.period});
+}
+
+// ---- the heights ----
+
+void expect(Attributes& a, const char* way, double skewness, double kurtosis) {
+  a.set("generate_heights", way);
+  a.set("generate_skewness_expected", skewness);
+  a.set("generate_kurtosis_expected", kurtosis);
+  a.set("generate_acf_error_expected", a.number("kernel_error", NAN) + a.number("kernel_hermite_tail", 0));
+}
+
+Pointwise translated(const Translation& translation, double rms) {
+  return [apply = translation.apply, rms](std::span<double> values) {
+    apply(values);
+    for (double& z : values) z *= rms;
+  };
+}
+
+Pointwise filtered(const Tool& tool, const GenerateOptions& o, SurfaceKernel& kernel) {
+  const auto prescribed = o.acf.heights.moments(tool, kernel.measured,
+                                                enum_named<InfeasiblePolicy>(o.acf.infeasible, "infeasible"));
+  if (!prescribed) throw UsageError("method", "filter: needs --skewness and --kurtosis");
+  const Translation noise = prescribed->noise(kernel.tables.kernel);
+  const HeightMoments moments = KernelCumulants::of(kernel.tables.kernel).heights(height_moments(noise));
+  warn_of_kurtosis(tool, *prescribed, moments.kurtosis);
+  expect(kernel.data.attributes, "filter", moments.skewness, moments.kurtosis);
+  return noise.family == "normal" ? Pointwise{} : noise.apply;
+}
+
+}  // namespace
+
+SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options) {
+  SurfaceKernel out = solved_or_read(tool, options);
+  const Shape shape = options.shape;
+  out.tables = tables_for(tool, options, out.data);
+  check_period(out.tables, shape, options.periodic);
+  if (options.periodic) wrap_kernel(tool, out, out.tables, shape);
+  if (!out.change.empty()) tool.warn(out.change);
+  const auto [dx, dy] = *out.tables.spacing;
+  const Grid grid{shape, dx, dy, options.periodic};
+  if (options.adds("kernel"))
+    set_kernel(out.data, out.tables);
+  else
+    carry_correlation(out.data, out.tables, grid);
+  set_grid(out.data, grid);
+  return out;
+}
+
+HeightDistribution height_distribution(const Tool& tool, const GenerateOptions& o, SurfaceKernel& kernel) {
+  const std::optional<Marginal> marginal = marginal_of(kernel.data);
+  if (!marginal) return {o.acf.filters() ? filtered(tool, o, kernel) : Pointwise{}, {}};
+  if (o.acf.filters())
+    throw UsageError("method", "filter: this kernel was solved for a Gaussian field that is translated to " +
+                                   marginal->translation.family + " heights, not for the heights themselves");
+  expect(kernel.data.attributes, "translation", marginal->skewness, marginal->kurtosis);
+  return {{}, translated(marginal->translation, kernel.tables.rms())};
 }
 
 }  // namespace asperity::cli

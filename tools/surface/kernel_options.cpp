@@ -1,5 +1,13 @@
 #include "tools/surface/kernel_options.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "acf/kernel.hpp"
+#include "acf/table.hpp"
+#include "core/words.hpp"
+#include "tools/surface/periodic_kernel.hpp"
+
 namespace asperity::cli {
 namespace {
 
@@ -79,8 +87,7 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
     methods.push_back("filter");
     filter =
         ". filter: newton-krylov for Gaussian heights, and noise so skewed that its average has --skewness "
-        "and "
-        "--kurtosis, where such noise exists";
+        "and --kurtosis, where such noise exists";
   }
   tool.choice("--method", method, methods,
               "Solver of the equations. spectral: the root of the spectrum, without equations" + filter,
@@ -96,6 +103,253 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
 
 bool KernelOptions::rolloff_is_length(const Tool& tool) const {
   return tool.given("--rolloff") && target == "self-affine";
+}
+
+namespace {
+
+// ---- a model ----
+
+bool given(const Tool& tool, const char* option) { return tool.given(std::string("--") + option); }
+
+double metres(const char* option, const SampledLength& length, const Spacing& spacing, std::size_t axis) {
+  if (!length.samples && !spacing)
+    throw UsageError(option, "a length in metres needs --spacing, or --shape and --size");
+  return length.metres(spacing ? (*spacing)[axis] : 1.0);
+}
+
+// A wave of less than two samples along an axis looks like a longer one.
+void refuse_aliased(const EllipticTarget& t, const std::string& wavelength) {
+  if (t.model != Model::exponential_cosine) return;
+  const double samples = t.wavelength / std::max(std::abs(std::cos(t.angle)) * t.spacing_x,
+                                                 std::abs(std::sin(t.angle)) * t.spacing_y);
+  if (samples < 2 * (1 - 1e-12))
+    throw UsageError("wavelength", wavelength + ": " + number(samples) +
+                                       " samples; at least 2 are needed, or it looks like a longer wave");
+}
+
+constexpr const char* side_of_surface = "shorter side of the surface";
+
+std::string shown(double length, bool in_samples, double spacing) {
+  return in_samples ? number(length / spacing) + "px" : format_quantity(length, "m");
+}
+
+// `above` says what the upper bound is.
+void refuse_beyond(const char* option, const SampledLength& wave, double spacing, const WaveBounds& bounds,
+                   const char* above) {
+  auto words = [&](double length) { return shown(length, wave.samples, spacing); };
+  const double length = wave.metres(spacing);
+  if (bounds.below(length))
+    throw UsageError(option, words(length) + ": below two samples, " + words(bounds.least));
+  if (bounds.above(length))
+    throw UsageError(option, words(length) + ": above the " + above + ", " + words(bounds.most));
+}
+
+void refuse_levelled(const EllipticTarget& model, const SampledLength& rolloff,
+                     const std::string& wavelength) {
+  const double length = rolloff.metres(model.spacing_x);
+  if (model.model == Model::exponential_cosine && length < model.wavelength * (1 - WaveBounds::rounded))
+    throw UsageError("rolloff", shown(length, rolloff.samples, model.spacing_x) + ": below --wavelength, " +
+                                    wavelength + ", the wave that it would level");
+}
+
+void refuse_unused(const Tool& tool, const KernelOptions& o) {
+  const bool corner = o.rolloff_is_length(tool);
+  if (!tool.given("--length") && !corner)
+    throw UsageError("length", o.target == "self-affine" ? "is required, or --rolloff"
+                               : tool.given("--rolloff")
+                                   ? "is required: --rolloff is the length of self-affine only"
+                                   : "is required");
+  for (const char* option : {"length", "length-level"})
+    if (corner && given(tool, option))
+      throw UsageError(option, "cannot be combined with --rolloff, which is the length of self-affine");
+  for (const ShapeParameter& parameter : shape_parameters)
+    if (const std::string owner(name_of(parameter.model)); given(tool, parameter.name) && o.target != owner)
+      throw UsageError(parameter.name, "belongs to --model " + owner + ", not to " + o.target);
+  if (o.target == "exponential-cosine" && o.wavelength.empty())
+    throw UsageError("wavelength", "is required by --model exponential-cosine");
+}
+
+// The model of --model, its lengths in metres, or in samples where no spacing is known.
+EllipticTarget model_of(const Tool& tool, const KernelOptions& o, const Spacing& spacing) {
+  refuse_unused(tool, o);
+  EllipticTarget out = o.shape;
+  out.model = enum_named<Model>(o.target, "model");
+  out.spacing_x = spacing ? (*spacing)[0] : 1;
+  out.spacing_y = spacing ? (*spacing)[1] : 1;
+  const bool corner = o.rolloff_is_length(tool);
+  auto length_along = [&](std::size_t axis) {
+    if (!corner) return metres("length", o.length[axis], spacing, axis);
+    const double wave = metres("rolloff", o.rolloff[axis], spacing, axis);
+    check_parameter(wave >= 1e-100 && wave <= 1e100, "rolloff",
+                    number(wave) + ": must lie in 1e-100 ... 1e100");
+    return length_for_rolloff(out, wave);
+  };
+  const std::array lengths{length_along(0), length_along(1)};
+  out.length_x = lengths[0], out.length_y = lengths[1];
+  out.angle = parse_angle("angle", o.angle);
+  if (!o.wavelength.empty())
+    out.wavelength = metres("wavelength", parse_length("wavelength", o.wavelength), spacing, 0);
+  try {
+    out.check();
+  } catch (const ParameterError& e) {
+    throw ParameterError(e.name == "length" ? o.length_option(tool) : e.name, e.what());
+  }
+  refuse_aliased(out, o.wavelength);
+  return out;
+}
+
+// Options of equations, where `limit`, --cutoff or --rolloff, leaves none.
+void refuse_equations(const Tool& tool, const KernelOptions& o, const std::string& limit) {
+  for (const char* option : {"lags", "formulation", "infeasible"})
+    if (given(tool, option))
+      throw UsageError(option, "cannot be combined with --" + limit + ", which leaves no equations to solve");
+  if (given(tool, "method") && !o.filters())
+    throw UsageError(
+        "method", o.method + ": cannot be combined with --" + limit + ", which leaves no equations to solve");
+  if (const std::string option = MarginalOptions::given(tool); !option.empty() && !o.filters())
+    throw UsageError(option, "cannot be combined with --" + limit +
+                                 ": the translation of heights makes waves beyond the band; "
+                                 "asperity-generate --method filter makes none");
+}
+
+Band band_of(const Tool& tool, const KernelOptions& o, const EllipticTarget& model, Shape period) {
+  Band out;
+  if (tool.given("--rolloff") && !o.rolloff_is_length(tool)) {
+    out.rolloff_x = o.rolloff[0].metres(model.spacing_x);
+    out.rolloff_y = o.rolloff[1].metres(model.spacing_y);
+    const WaveBounds bounds = rolloff_bounds(model, period);
+    refuse_beyond("rolloff", o.rolloff[0], model.spacing_x, bounds, side_of_surface);
+    refuse_beyond("rolloff", o.rolloff[1], model.spacing_y, bounds, side_of_surface);
+    refuse_levelled(model, o.rolloff[0], o.wavelength);
+  }
+  if (o.cutoff.empty()) return out;
+  const SampledLength shortest_wave = parse_length("cutoff", o.cutoff);
+  const WaveBounds bounds = cutoff_bounds(model, out, period);
+  refuse_beyond("cutoff", shortest_wave, model.spacing_x, bounds,
+                bounds.most < rolloff_bounds(model, period).most ? "roll-off" : side_of_surface);
+  out.cutoff = shortest_wave.metres(model.spacing_x);
+  return out;
+}
+
+// The surfaces of a period with the spectrum of the model, but for --cutoff and --rolloff; nothing without
+// either, or where --rolloff is the length of the model.
+std::optional<BandLimited> limited(const Tool& tool, const KernelOptions& o, const EllipticTarget& model,
+                                   Shape period) {
+  const bool levels = tool.given("--rolloff") && !o.rolloff_is_length(tool);
+  if (o.cutoff.empty() && !levels) return std::nullopt;
+  const std::string limit = o.cutoff.empty() ? "rolloff" : "cutoff";
+  const std::string shown = o.cutoff.empty() ? "" : o.cutoff + ": ";
+  if (period == Shape{})
+    throw UsageError(
+        limit, (o.cutoff.empty() ? "needs --periodic, or --model self-affine" : shown + "needs --periodic") +
+                   "; otherwise the autocorrelation does not end, and a kernel must");
+  refuse_equations(tool, o, limit);
+  if (std::min(period.nx, period.ny) == 1)
+    throw UsageError(limit, shown + "needs a surface: the waves of " + text(period) +
+                                " points run along one axis; draw a surface and take a row of it "
+                                "(asperity-filter --crop)");
+  const Band band = model.has_spectrum() ? band_of(tool, o, model, period) : Band{};
+  check_memory(periodic_kernel_cost(period), static_cast<double>(tool.memory()), period);
+  return BandLimited(model, band, period);
+}
+
+void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& options, Shape periodic) {
+  out.model = model_of(tool, options, out.spacing);
+  out.extent = options.length_option(tool);
+  out.request.target = out.model->target();
+  out.band = limited(tool, options, *out.model, periodic);
+  if (out.band) out.period = periodic;
+}
+
+// ---- a table ----
+
+void take_table(KernelProblem& out, const Tool& tool, AcfTable table, Shape periodic) {
+  out.extent = "acf";
+  require_spacing(tool.given("--spacing") ? "spacing" : "size", "gives samples", out.spacing, "the table has",
+                  table.spacing, 1e-6);
+  if (table.left_out)
+    tool.warn("the lags of the table beyond " +
+              text({table.half_plane.rows(), table.half_plane.cols() / 2 + 1}) +
+              " hold no numbers and are ignored");
+  if (!out.spacing) out.spacing = table.spacing;
+  if (!out.has_height && std::isfinite(table.rms)) {
+    out.request.rms = table.rms;
+    out.has_height = true;
+  }
+  if (out.free()) out.period = table.period_on(periodic);
+  out.request.target = target_of_table(std::move(table.half_plane));
+  out.measured = std::move(table.heights);
+  out.data = std::move(table.dataset);
+  out.before = Inventory(out.data);
+  drop_surface(out.data, "kernel");
+  tool.settle(out.data);
+}
+
+// Zero at all lags but 0 along an axis with one point.
+Target target_on(const Target& target, Shape surface) {
+  const bool x = surface.nx == 1, y = surface.ny == 1;
+  auto narrow = [x, y](Shape lags) { return Shape{x ? 1 : lags.nx, y ? 1 : lags.ny}; };
+  Target out([=, row = target.row](double p, double q) {
+    double r = 0;
+    if ((!x || p == 0) && (!y || q == 0)) row(p, q, {&r, 1});
+    return r;
+  });
+  if (target.known) out.known = narrow(*target.known);
+  if (target.reach) out.reach = [=, reach = target.reach](double t) { return narrow(reach(t)); };
+  return out;
+}
+
+}  // namespace
+
+void KernelProblem::wrap(const Tool& tool, Shape surface) {
+  constexpr double left_out = 1e-2;  // of the tolerance
+  const bool profile = std::min(surface.nx, surface.ny) == 1;
+  if (!profile || band || period || !free() || !request.target.reach) return;
+  request.target =
+      target_of_table(periodic_correlation(tool, request.target, surface, left_out * request.acf_tolerance));
+  period = surface;
+}
+
+void KernelProblem::narrow(Shape surface) {
+  if (surface.nx != 1 && surface.ny != 1) return;
+  request.target = target_on(request.target, surface);
+  if (surface.nx == 1) request.lags.nx = std::min<Index>(request.lags.nx, 1);
+  if (surface.ny == 1) request.lags.ny = std::min<Index>(request.lags.ny, 1);
+}
+
+std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options) {
+  if (!tool.given("--acf")) return std::nullopt;
+  std::vector<const char*> of_model{"model", "length", "length-level", "angle", "rolloff", "cutoff"};
+  for (const ShapeParameter& parameter : shape_parameters) of_model.push_back(parameter.name);
+  for (const char* option : of_model)
+    if (given(tool, option))
+      throw UsageError(option, "cannot be combined with --acf, which gives the whole autocorrelation");
+  AcfTable out = read_acf_table(options.acf, tool.memory_bound());
+  tool.reads(options.acf, !out.dataset.variables.empty());
+  return out;
+}
+
+KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, std::optional<AcfTable> table,
+                             const Spacing& spacing, Shape periodic) {
+  KernelProblem out;
+  out.spacing = spacing;
+  out.has_height = !std::isnan(options.rms);
+  KernelRequest& request = out.request;
+  request = options.request;
+  if (out.has_height) request.rms = options.rms;
+  request.method = options.filters() ? Method::newton_krylov : enum_named<Method>(options.method, "method");
+  request.infeasible = enum_named<InfeasiblePolicy>(options.infeasible, "infeasible");
+  request.memory = static_cast<double>(tool.memory());
+  if (!options.formulation.empty())
+    request.formulation = enum_named<Formulation>(options.formulation, "formulation");
+  if (table)
+    take_table(out, tool, std::move(*table), periodic);
+  else
+    take_model(out, tool, options, periodic);
+  if (out.band) request.method = Method::spectral;
+  if (!options.filters()) out.marginal = options.heights.wanted(tool, out.measured, request.infeasible);
+  request.check();
+  return out;
 }
 
 }  // namespace asperity::cli

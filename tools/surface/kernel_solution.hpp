@@ -1,7 +1,7 @@
 /// The kernel of a problem: solved, then recorded in a dataset.
 #pragma once
 
-#include "tools/surface/kernel_problem.hpp"
+#include "tools/surface/kernel_options.hpp"
 
 namespace asperity::cli {
 
