@@ -46,6 +46,8 @@ Parameters measure(const Surface& surface, const MeasureOptions& options = {});
 /// One group of a prepared surface. If the field is not a length or is too small, hybrid parameters are NaN
 /// with the reason in `why`; the other groups throw DataError.
 Parameters measure(const Sample& sample, Group group, const MeasureOptions& options);
+/// The symbols of ISO 25178-2 in the tables of a group of heights, the material ratio or slopes: "Sa, Sq, …".
+std::string symbols(Group group);
 /// White noise of this rms height in place of the heights of a flat surface.
 Sample stand_in(Surface flat, double rms = 1);
 /// Of a FlatSurface: the limits for heights c w, c → 0, w the stand-in's. A parameter that grows with c is 0;

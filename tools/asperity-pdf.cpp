@@ -4,7 +4,6 @@
 #include <variant>
 
 #include "stats/height/distribution.hpp"
-#include "stats/height/height_steps.hpp"
 #include "stats/height/kernel_density.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/measure/field_options.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity::textures {

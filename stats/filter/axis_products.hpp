@@ -54,4 +54,10 @@ class AxisProducts {
 /// T of (2), a row each, ascending in λ_k, which is `share` of the largest and `least` at least.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& gram, double share, double least = 0);
 
+// ---- axis ----
+
+/// One of the two axes of a field.
+
+enum class Axis1D { x, y };
+
 }  // namespace asperity

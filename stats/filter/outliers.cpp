@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
+
+#include <Eigen/SparseCholesky>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -14,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr double deviation_of_median = 1.4826;                   // of Gaussian numbers, 1/Φ⁻¹(3/4)
-constexpr double beyond_both = 0.75, beside = 0.7, usual = 1.1;  // of (2), (3) and g
+constexpr double beyond_both = 0.75, nearby = 0.7, usual = 1.1;  // of (2), (3) and g
 constexpr Index tile = 16;
 constexpr Index directions = 8, others = 3;
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -91,7 +94,7 @@ class Judgement {
     std::ranges::sort(there);
     return there.empty() ? NAN : (there[(there.size() - 1) / 2] + there[there.size() / 2]) / 2;
   }
-  /// (3), beside what is taken.
+  /// (3), next to what is taken.
   Mask outliers(const Mask& taken) const { return far || (grown(taken || far, periodic_) && nearly); }
 
  private:
@@ -163,10 +166,10 @@ class Judgement {
     far = nearly = Mask::Constant(own_.rows(), own_.cols(), false);
     for (Index i = 0; i < own_.rows(); ++i)
       for (Index j = 0; j < own_.cols(); ++j)
-        if (judged(i, j) && excess(i, j) > beside) {
+        if (judged(i, j) && excess(i, j) > nearby) {
           const double g = roughness(i, j);
           far(i, j) = excess(i, j) > g;
-          nearly(i, j) = excess(i, j) > beside * g;
+          nearly(i, j) = excess(i, j) > nearby * g;
         }
   }
   // g, of which few places are asked.
@@ -256,6 +259,68 @@ Outliers without_outliers(const Field& z, const Grid& grid, const OutlierRule& r
   out.removed = out.heights.isNaN().count() - z.isNaN().count();
   out.spiky = share_beyond(z, rule);
   return out;
+}
+
+// ---- missing points filled ----
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+// Across the seam of a periodic axis; -1 beyond the edge of another.
+Index place(Index k, Index n, bool periodic) {
+  if (k >= 0 && k < n) return k;
+  return periodic ? (k + n) % n : -1;
+}
+
+// Solves (1) for the missing points, in the order of the field.
+Eigen::VectorXd membrane(const Field& z, const Grid& grid) {
+  constexpr std::array<std::array<Index, 2>, 4> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  const std::array<double, 2> weights{1 / (grid.dx * grid.dx), 1 / (grid.dy * grid.dy)};
+  Eigen::Array<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> number(z.rows(), z.cols());
+  Index count = 0;
+  for (Index k = 0; k < z.size(); ++k) number(k) = std::isnan(z(k)) ? count++ : -1;
+  std::vector<Eigen::Triplet<double>> terms;
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(count);
+  for (Index i = 0; i < z.rows(); ++i)
+    for (Index j = 0; j < z.cols(); ++j) {
+      const Index row = number(i, j);
+      if (row < 0) continue;
+      double sum = 0;
+      for (const auto& [di, dj] : steps) {
+        const Index p = place(i + di, z.rows(), grid.periodic.x),
+                    q = place(j + dj, z.cols(), grid.periodic.y);
+        if (p < 0 || q < 0) continue;
+        const double weight = weights[di == 0];
+        sum += weight;
+        if (number(p, q) >= 0)
+          terms.emplace_back(row, number(p, q), -weight);
+        else
+          known(row) += weight * z(p, q);
+      }
+      terms.emplace_back(row, row, sum);
+    }
+  Matrix matrix(count, count);
+  matrix.setFromTriplets(terms.begin(), terms.end());
+  return Eigen::SimplicialLDLT<Matrix>(matrix).solve(known);
+}
+
+}  // namespace
+
+Field filled(Field z, const Grid& grid, Filling filling) {
+  if (!z.hasNaN()) return z;
+  const Field there = z.isNaN().select(0, z);
+  const auto points = static_cast<double>((!z.isNaN()).count());
+  if (points == 0) throw DataError("heights", "all points are missing");
+  if (filling == Filling::laplace) {
+    const Eigen::VectorXd values = membrane(z, grid);
+    for (Index k = 0, next = 0; k < z.size(); ++k)
+      if (std::isnan(z(k))) z(k) = values(next++);
+    return z;
+  }
+  const double value =
+      filling == Filling::mean ? there.sum() / points : z.minCoeff<Eigen::PropagateNumbers>();
+  return z.isNaN().select(value, z);
 }
 
 }  // namespace asperity

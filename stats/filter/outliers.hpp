@@ -6,10 +6,10 @@
 /// is nearly linear in heights: whatever the correlation of a Gaussian surface, r_d/s_d is Gaussian. With
 ///     T = min_d |r_d|/s_d   where z lies beyond p and q by 0.75 K s_d in every d, on the same side,    (2)
 /// and 0 elsewhere, an edge or a line along some direction has T = 0, up to where it leaves the map: of a
-/// direction with one side alone, z must lie beyond that side. Rougher places are judged by themselves: g is
+/// direction with one side alone, z must be beyond that side. Rougher places are judged by themselves: g is
 /// the largest median of 1.4826 |r_d|/s_d in the tile of 16 × 16 points and its neighbours, over 1.1, or 1.
 /// A point is an outlier if
-///     T > K g,   or T > 0.7 K g beside an outlier.                                                     (3)
+///     T > K g,   or T > 0.7 K g next to an outlier.                                                    (3)
 /// Outliers become missing and (1) to (3) repeat until there are none, for w = 1, 3, 7, … up to the width. In
 /// the end each is judged anew against the surface without them, and what is no outlier returns.
 ///
@@ -50,5 +50,24 @@ struct Outliers {
 
 /// Throws ParameterError("outliers") unless 0 < K < ∞ and 0 < w, and where no point can be judged.
 Outliers without_outliers(const Field& z, const Grid& grid, const OutlierRule& rule = {}, int threads = 1);
+
+// ---- missing points filled ----
+
+/// Fills the missing points of a field.
+///
+/// `laplace` makes each missing value the mean of its neighbours, weighted by 1/Δx² and 1/Δy²: the membrane
+///     (z(i+1,j) - 2z + z(i-1,j))/Δx² + (z(i,j+1) - 2z + z(i,j-1))/Δy² = 0                           (1)
+/// spanned over each hole, across the seam of a periodic axis, with zero slope across other edges of the
+/// field. Its values are between the smallest and the largest value around the hole. Filled values are not
+/// measurements.
+///
+/// Accuracy  of (1) round-off of a sparse Cholesky factorisation, ε times the square of the widest hole in
+///           points.
+/// Cost      n missing points in the plane: n^1.5 operations, n log n memory.
+
+enum class Filling { laplace, mean, least };
+
+/// Throws DataError("heights", …) when every point is missing.
+Field filled(Field z, const Grid& grid, Filling filling);
 
 }  // namespace asperity

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/words.hpp"
-#include "stats/filter/curved_form.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/gaussian_filter.hpp"
 #include "stats/filter/robust_gaussian.hpp"

@@ -39,7 +39,7 @@ struct Cutoff {
   bool given() const { return !std::isnan(wavelength); }
 };
 
-/// Heights above a form; of a sphere or a cylinder what stats/filter/curved_form.hpp found.
+/// Heights above a form; of a sphere or a cylinder what stats/filter/form.hpp found.
 struct WithoutForm {
   Field heights;
   double radius = std::numeric_limits<double>::infinity();  ///< [m]; above zero a dome, below a bowl

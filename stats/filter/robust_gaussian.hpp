@@ -1,8 +1,8 @@
 /// The robust areal Gaussian regression filter of ISO 16610-71: a mean surface that scratches, pores and
 /// spikes do not draw towards themselves.
 ///
-/// The mean surface w is the Gaussian regression of order 2 (stats/filter/local_quadratic.hpp), which follows
-/// slopes and bowls up to the edges, with a further weight of each point by how far it lies from w,
+/// The mean surface w is the Gaussian regression of order 2 (robust_gaussian.cpp), which follows slopes
+/// and bowls up to the edges, with a further weight of each point by how far it lies from w,
 ///     min Σ_k s(x_k - x) δ_k (z_k - P(x_k - x))²  over quadratics P,   w(x) = P(0),                   (1)
 ///     δ_k = (1 - (r_k/c)²)²  where |r_k| < c, otherwise 0,   r = z - w,                              (2)
 ///     c = 4.4478 median|r|:  3 standard deviations of Gaussian roughness,                            (3)

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "core/field.hpp"
-#include "stats/filter/axis.hpp"
+#include "stats/filter/axis_products.hpp"
 
 namespace asperity {
 

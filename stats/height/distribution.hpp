@@ -21,6 +21,8 @@
 /// D. W. Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -69,5 +71,106 @@ void set_errors(std::vector<Bin>& bins, const Field& z, const Grid& grid, const 
 /// Σ w(k) S_k/N over k ≥ 3, for Hermite weights w(k), k ≥ 1, that add up to `total`.
 double misfit_variance(const std::function<double(int)>& weight, double total,
                        const EffectiveSampleSize& size);
+
+// ---- classes of height ----
+
+/// A field's points in classes of height of equal width, and what the error of its mean does to shares.
+///
+/// Heights are measured from the field's own mean, which is off by δ with the standard error e. A share of
+/// heights at fixed distances from it is G(δ), that of the heights δ further up. It moves by the slope
+///     s = [G(e) - G(-e)]/(2e),                                                                        (1)
+/// which the field itself tells, whatever the distribution. At the ends of the interval, δ = ± 2e, it has
+/// moved by G(δ) - G(0) - s δ besides, upwards or downwards: at an edge of the distribution, as that of a
+/// population or a plateau, by as much as the share itself varies.
+///
+/// Symbols   G  share or density, linear between classes
+
+class HeightClasses {
+ public:
+  struct Range {
+    double lowest, highest;
+    Index classes;
+
+    double width() const { return (highest - lowest) / static_cast<double>(classes); }
+    double centre(Index b) const { return lowest + (static_cast<double>(b) + 0.5) * width(); }
+    /// The classes whose centres are at most so far from a height.
+    void for_each_near(double height, double distance, const auto& visit) const {
+      const double first = std::ceil((height - distance - lowest) / width() - 0.5),
+                   last = std::floor((height + distance - lowest) / width() - 0.5);
+      for (auto b = static_cast<Index>(std::max(first, 0.0)); static_cast<double>(b) <= last && b < classes;
+           ++b)
+        visit(b);
+    }
+  };
+  /// Values beyond the range belong to the outermost classes. `own_mean`: they are measured from their mean.
+  HeightClasses(const Field& z, const Grid& grid, const FieldExtent& extent, const Range& range,
+                bool own_mean);
+
+  const ShareErrors& errors() const { return errors_; }
+  const Range& range() const { return range_; }
+  /// The share of the heights below this one.
+  double below(double height) const;
+  /// The mean of `of`, a function G of the displacement, with its error and what the ends add.
+  Frequency frequency(const ShareErrors::Function& of, double points, const auto& G) const {
+    Frequency out{of.mean(), of.error(), points};
+    if (!(of_mean_ > 0)) return out;
+    const double here = G(0), above = G(of_mean_), under = G(-of_mean_),
+                 slope = (above - under) / (2 * of_mean_);
+    out.error = of.error(slope);
+    for (const double delta : {-2 * of_mean_, 2 * of_mean_}) {
+      const double left = G(delta) - here - slope * delta;
+      out.rise = std::max(out.rise, left), out.fall = std::max(out.fall, -left);
+    }
+    return out;
+  }
+
+ private:
+  Range range_;
+  ShareErrors errors_;
+  double of_mean_ = 0;               // e
+  std::vector<double> below_ = {0};  // class b, of all
+};
+
+// ---- steps of an instrument ----
+
+/// The steps of an instrument that heights stand on, and bins that hold whole steps.
+///
+/// Heights z = z₀ + k s with whole k come from converters of few bits and from files of few digits. In bins
+/// of another width than a multiple of s some hold one step more than others, or none: a comb. Of bins
+///     edges z₀ - s/2 + j m s,     m = max(1, ⌊w/s⌋),                                              (1)
+/// each holds m steps, and no height lies near an edge.
+///
+/// Symbols   s  step      w  width wanted, of Scott's rule (stats/height/distribution.hpp)
+/// Scope     Heights closer than 1e-6 of their range are one value. Steps are found if there are at most 1e5
+///           of them in the range, if half of the points share their value, and if all differences between
+///           neighbouring values are multiples of s to a tenth of s.
+/// Accuracy  s to a tenth of itself over the steps in the range.
+/// Cost      that of sorting the heights.
+
+struct HeightSteps {
+  Index values = 0;  ///< different ones
+  double lowest = 0;
+  double step = 0;  ///< 0 where they stand on none
+  Index steps = 0;  ///< in the range
+};
+/// Equal heights.
+struct HeightRun {
+  double count = 0, height = 0;
+};
+/// Ascending, without missing points.
+std::vector<HeightRun> runs_of_equal(const Field& z);
+HeightSteps height_steps(const std::vector<HeightRun>& runs);
+inline HeightSteps height_steps(const Field& z) { return height_steps(runs_of_equal(z)); }
+
+/// The step of heights that come in parts, from neighbours: their least difference, where one pair in a
+/// hundred or more is equal; else 0. Heights of many bits have none, and a tilt that was taken off hides it.
+double neighbour_step(const Field& z);
+
+struct Bins {
+  int number = 1;
+  HeightRange range;
+};
+/// (1), about as wide as those given.
+Bins bins_on_steps(const HeightSteps& steps, const Bins& wanted);
 
 }  // namespace asperity

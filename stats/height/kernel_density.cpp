@@ -11,7 +11,7 @@
 
 #include "core/error.hpp"
 #include "math/hermite.hpp"
-#include "stats/height/height_classes.hpp"
+#include "stats/height/distribution.hpp"
 
 namespace asperity {
 namespace {

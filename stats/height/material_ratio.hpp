@@ -83,7 +83,7 @@ class MaterialRatioCurve {
 
   static double rank_of(std::size_t k) { return static_cast<double>(k); }
   double last() const { return rank_of(descending_.size() - 1); }
-  std::size_t piece_at(double rank) const;          ///< the k of the corners k, k + 1 beside it
+  std::size_t piece_at(double rank) const;          ///< the k of the corners k, k + 1 around it
   double within(std::size_t k, double rank) const;  ///< c(rank/(N-1)) on that piece
   double at(double rank) const { return within(piece_at(rank), rank); }
   double round_off() const;  ///< of heights; more than that of the line

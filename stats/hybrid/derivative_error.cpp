@@ -22,7 +22,7 @@ enum Local {
   s22,
   s13,
   s04,  // as in spectral_moments.cpp
-  excess,
+  developed,
   summit,
   height,
   square,
@@ -35,7 +35,7 @@ enum Local {
 Derivatives derivatives(const Eigen::VectorXd& m, const Grid& grid) {
   Derivatives out;
   const double slopes = m(sloped), curvatures = m(surrounded);
-  out.slopes = {.sdq = std::sqrt((m(s20) + m(s02)) / slopes), .sdr = m(excess) / slopes};
+  out.slopes = {.sdq = std::sqrt((m(s20) + m(s02)) / slopes), .sdr = m(developed) / slopes};
   out.moments = {m(s00) - m(first) * m(first), m(s20) / slopes,     m(s11) / slopes,     m(s02) / slopes,
                  m(s40) / curvatures,          m(s31) / curvatures, m(s22) / curvatures, m(s13) / curvatures,
                  m(s04) / curvatures};
@@ -75,7 +75,7 @@ class LocalDerivatives {
     const Row slopes = g2.isNaN().select(Row::Zero(n), Row::Ones(n));
     set(sloped, slopes);
     set_where(slopes, s20, zx.square()), set_where(slopes, s11, zx * zy), set_where(slopes, s02, zy.square());
-    set_where(slopes, excess, g2 / (1 + (1 + g2).sqrt()));
+    set_where(slopes, developed, g2 / (1 + (1 + g2).sqrt()));
     // Not a number where a neighbour is missing.
     const Row around = left(before) + middle(before) + right(before) + left(here) + right(here) +
                        left(after) + middle(after) + right(after);

@@ -7,8 +7,8 @@
 namespace asperity {
 namespace {
 
-enum Sum { s00, s20, s11, s02, s40, s31, s22, s13, s04 };
-using Sums = RowSums<9>;
+enum Product { p00, p20, p11, p02, p40, p31, p22, p13, p04 };
+using ProductSums = RowSums<9>;
 
 // Point j of a stencil is column j + 1 of its rows, which all have the points to either side.
 struct Stencil {
@@ -24,20 +24,20 @@ struct Stencil {
 };
 
 // z(i+1) - z(i) of all points of a row that the field has.
-void add_slopes_along_x(Sums& out, const Row& here, const Row& after, Index ny, Index sides) {
+void add_slopes_along_x(ProductSums& out, const Row& here, const Row& after, Index ny, Index sides) {
   const Row step = after - here;
-  out[s20] = sum_of_valid(step.head(ny).square());
-  out[s11] =
+  out[p20] = sum_of_valid(step.head(ny).square());
+  out[p11] =
       sum_of_valid((step.head(sides) + step.segment(1, sides)) *
                    (here.segment(1, sides) - here.head(sides) + after.segment(1, sides) - after.head(sides)));
-  out[s11].sum *= 0.25;
+  out[p11].sum *= 0.25;
 }
 
-void add_mixed_derivatives(Sums& out, const Stencil& stencil) {
+void add_mixed_derivatives(ProductSums& out, const Stencil& stencil) {
   const Row zxx = stencil.zxx(), zyy = stencil.zyy(), zxy = stencil.zxy();
-  out[s31] = sum_of_valid(zxx * zxy);
-  out[s22] = sum_of_valid(zxx * zyy);
-  out[s13] = sum_of_valid(zxy * zyy);
+  out[p31] = sum_of_valid(zxx * zxy);
+  out[p22] = sum_of_valid(zxx * zyy);
+  out[p13] = sum_of_valid(zxy * zyy);
 }
 
 }  // namespace
@@ -78,33 +78,33 @@ SpectralMoments spectral_moments(const Field& z, const Grid& grid, int threads) 
   const NeighbourRows sides(z, grid, 1), curves(z, grid, 2);
   const Index ny = z.cols();
   const double level = mean(z);
-  const Sums sums = sum_rows<9>(z.rows(), threads, [&](Index i) {
+  const ProductSums sums = sum_rows<9>(z.rows(), threads, [&](Index i) {
     const Row here = curves(i);
-    Sums out{};
-    out[s00] = sum_of_valid((here.head(ny) - level).square());
-    out[s02] = sum_of_valid((here.segment(1, sides.columns()) - here.head(sides.columns())).square());
-    out[s04] = sum_of_valid(Stencil{here, here, here}.zyy().square());
+    ProductSums out{};
+    out[p00] = sum_of_valid((here.head(ny) - level).square());
+    out[p02] = sum_of_valid((here.segment(1, sides.columns()) - here.head(sides.columns())).square());
+    out[p04] = sum_of_valid(Stencil{here, here, here}.zyy().square());
     if (i >= sides.rows()) return out;
     const Row after = curves(i + 1);
     add_slopes_along_x(out, here, after, ny, sides.columns());
     if (i >= curves.rows()) return out;
     const Row second = curves(i + 2);
-    out[s40] = sum_of_valid((here - 2 * after + second).head(ny).square());
+    out[p40] = sum_of_valid((here - 2 * after + second).head(ny).square());
     add_mixed_derivatives(out, {here, after, second});
     return out;
   });
-  if (!(sums[s31].count > 0))
+  if (!(sums[p31].count > 0))
     throw DataError("heights", "second derivatives need 3 x 3 points, none of them missing");
   const double x = 1 / grid.dx, y = 1 / grid.dy;
-  return {.m00 = mean_of(sums[s00]),
-          .m20 = x * x * mean_of(sums[s20]),
-          .m11 = x * y * mean_of(sums[s11]),
-          .m02 = y * y * mean_of(sums[s02]),
-          .m40 = x * x * x * x * mean_of(sums[s40]),
-          .m31 = x * x * x * y * mean_of(sums[s31]),
-          .m22 = x * x * y * y * mean_of(sums[s22]),
-          .m13 = x * y * y * y * mean_of(sums[s13]),
-          .m04 = y * y * y * y * mean_of(sums[s04])};
+  return {.m00 = mean_of(sums[p00]),
+          .m20 = x * x * mean_of(sums[p20]),
+          .m11 = x * y * mean_of(sums[p11]),
+          .m02 = y * y * mean_of(sums[p02]),
+          .m40 = x * x * x * x * mean_of(sums[p40]),
+          .m31 = x * x * x * y * mean_of(sums[p31]),
+          .m22 = x * x * y * y * mean_of(sums[p22]),
+          .m13 = x * y * y * y * mean_of(sums[p13]),
+          .m04 = y * y * y * y * mean_of(sums[p04])};
 }
 
 }  // namespace asperity

@@ -136,8 +136,7 @@ class SummitFinder {
   std::vector<Index> number_ = {};  // of the candidate at a point, or none
 };
 
-enum Sum { neighbourhoods, heights, squares, curvatures, plateaus };
-using Sums = RowSums<5>;
+enum SummitSum { neighbourhoods, heights, squares, curvatures, plateaus };
 
 // Points of the second of three rows of which all nine are there.
 double complete(const Row& three) {
@@ -164,8 +163,8 @@ CountedSummits counted_summits(const Field& z, const Grid& grid, double rounding
   const NeighbourRows rows(z, grid, 2);
   const SummitRows found = find_summits(z, grid, rounding);
   const double level = mean(z);
-  const Sums sums = sum_rows<5>(rows.rows(), threads, [&](Index i) {
-    Sums out{};
+  const RowSums<5> sums = sum_rows<5>(rows.rows(), threads, [&](Index i) {
+    RowSums<5> out{};
     out[neighbourhoods].count = complete(rows(i) + rows(i + 1) + rows(i + 2));
     for (const FoundSummit& summit : found[size(i)]) {
       const double height = summit.height - level;

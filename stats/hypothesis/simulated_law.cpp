@@ -15,10 +15,6 @@ using Eigen::ArrayXd, Eigen::ArrayXXd;
 constexpr double largest_power = 8;
 constexpr Eigen::Index ensembles = 800;
 
-double deviation(const ArrayXd& x) {
-  return std::sqrt((x - x.mean()).square().sum() / static_cast<double>(x.size() - 1));
-}
-
 double skewness(const ArrayXd& x) {
   const ArrayXd d = x - x.mean();
   return d.cube().mean() / std::pow(d.square().mean(), 1.5);
@@ -33,7 +29,7 @@ ArrayXd power(const ArrayXd& x, double lambda) {
 struct Normal {
   double mean, deviation, count;
 
-  static Normal of(const ArrayXd& x) { return {x.mean(), asperity::deviation(x), double(x.size())}; }
+  static Normal of(const ArrayXd& x) { return {x.mean(), sample_deviation(x), double(x.size())}; }
   /// (2), of a mean over so many.
   double t(double value, double of) const {
     return (value - mean) / (deviation * std::sqrt(1 / of + 1 / count));
@@ -57,6 +53,10 @@ ArrayXd largest_simulated(const ArrayXXd& simulated, Eigen::Index surfaces) {
 }
 
 }  // namespace
+
+double sample_deviation(const ArrayXd& x) {
+  return std::sqrt((x - x.mean()).square().sum() / static_cast<double>(x.size() - 1));
+}
 
 NormalisingPower::NormalisingPower(const ArrayXd& simulated) : scale_(std::exp(simulated.log().mean())) {
   const ArrayXd x = simulated / scale_;

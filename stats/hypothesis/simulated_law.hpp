@@ -31,6 +31,9 @@
 
 namespace asperity {
 
+/// The standard deviation, with n - 1.
+double sample_deviation(const Eigen::ArrayXd& x);
+
 /// (1).
 class NormalisingPower {
  public:

@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "marginal/prescribed.hpp"
-#include "stats/hypothesis/stepped.hpp"
+#include "stats/hypothesis/gaussianity.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/spatial/acf.hpp"
@@ -238,9 +238,9 @@ TestResult SpecificationTest::largest_result(const Together& of, Index first) co
   double largest = -1;
   for (Index i = 0; i < n; ++i) {
     if (!(error(i) > 0)) continue;
-    const double z = mean(i) / error(i), strays = std::abs(score(z, of.skewness(i), of.patches_per_degree));
-    if (!(strays > largest)) continue;
-    largest = strays;
+    const double z = mean(i) / error(i), distance = std::abs(score(z, of.skewness(i), of.patches_per_degree));
+    if (!(distance > largest)) continue;
+    largest = distance;
     out = of.each[static_cast<std::size_t>(i)];
     out.mean = out.prescribed + mean(i), out.standard_error = error(i), out.z = z;
   }
@@ -254,7 +254,7 @@ TestResult SpecificationTest::largest_result(const Together& of, Index first) co
 std::vector<TestResult> SpecificationTest::by_theory() const {
   std::vector<TestResult> out;
   const Eigen::ArrayXd mean = ensemble_.mean();
-  if (std::isfinite(asked_.sq)) {  // tested as a variance, told as an rms height
+  if (std::isfinite(asked_.sq)) {  // tested as a variance, reported as an rms height
     const double variance = asked_.sq * asked_.sq, error = variance * std::sqrt(2 * mean_power(2));
     out.push_back(result("Sq", variance, mean(0), error, variance_skewness_));
     out[0].prescribed = asked_.sq;

@@ -68,7 +68,6 @@
 
 #include "core/field.hpp"
 #include "stats/sample/ensemble.hpp"
-#include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
@@ -156,7 +155,7 @@ class SpecificationTest {
   /// The mean S_k/N over the surfaces.
   double mean_power(Index k) const { return total_.mean_powers(k) / surfaces_; }
   /// Sq²/(1 - w), Ssk, Sku, e and the stretches; NaN if there are too few pairs. Of heights that stand on
-  /// steps, those before they were rounded (stats/hypothesis/stepped.hpp).
+  /// steps, those before they were rounded (stats/hypothesis/gaussianity.hpp).
   Eigen::ArrayXd measured(const Field& z, const Pairs& pairs, const Theory& theory, int threads,
                           double step = 0) const;
   /// The same with e and stretches over Sq²/(1 - w).

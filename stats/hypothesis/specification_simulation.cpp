@@ -20,13 +20,9 @@ ArrayXXd rows_of(const std::vector<ArrayXd>& surfaces) {
   return out;
 }
 
-double deviation(const ArrayXd& x) {
-  return std::sqrt((x - x.mean()).square().sum() / static_cast<double>(x.size() - 1));
-}
-
 // Of a mean over `observed`, against one over `simulated`.
 double standard_error(const ArrayXd& simulated, const ArrayXd& observed) {
-  return deviation(simulated) *
+  return sample_deviation(simulated) *
          std::sqrt(1 / static_cast<double>(observed.size()) + 1 / static_cast<double>(simulated.size()));
 }
 
@@ -47,7 +43,7 @@ TestResult largest(const std::vector<TestResult>& each, const ArrayXXd& simulate
   std::vector<Index> had;
   for (Index i = 0; i < simulated.cols(); ++i)
     if (simulated.col(i).isFinite().all() && observed.col(i).isFinite().all() &&
-        deviation(simulated.col(i)) > 0)
+        sample_deviation(simulated.col(i)) > 0)
       had.push_back(i);
   TestResult out = each.front();
   out.mean = out.prescribed, out.p = 1;
@@ -118,7 +114,7 @@ const Eigen::ArrayXXd& SpecificationTest::simulated() const {
 std::vector<TestResult> SpecificationTest::by_simulation() const {
   const ArrayXXd &drawn = simulated(), observed = rows_of(observed_);
   std::vector<TestResult> out;
-  if (std::isfinite(asked_.sq)) {  // tested as a variance, told as an rms height
+  if (std::isfinite(asked_.sq)) {  // tested as a variance, reported as an rms height
     const ArrayXd variance = observed.col(0) / (asked_.sq * asked_.sq);
     TestResult sq = row("Sq", 1, drawn.col(0), variance);
     sq.p = p_of_skewed_mean(drawn.col(0), variance);

@@ -29,6 +29,19 @@ Estimate value_of(const Of& of) {
   return {of.*member};
 }
 
+/// "Sa, Sq": the symbols of a table that ISO 25178-2 defines, which begin with S or V.
+template <class Of, std::size_t N>
+std::string symbols_of(const Definition<Of> (&table)[N]) {
+  std::string out;
+  for (const auto& row : table)
+    if (row.symbol.starts_with('S') || row.symbol.starts_with('V'))
+      out += (out.empty() ? "" : ", ") + std::string(row.symbol);
+  return out;
+}
+std::string height_symbols();
+std::string material_symbols();
+std::string slope_symbols();
+
 /// Texts for {} in symbols and meanings, and reasons for a missing value and a missing error.
 struct Words {
   std::string symbol = {}, meaning = {}, why = {}, why_no_error = {};

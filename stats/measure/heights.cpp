@@ -19,37 +19,38 @@ namespace {
 // ---- moments ----
 
 struct Heights {
-  double level;  ///< the mean
-  const Moments& m;
-  const EffectiveSampleSize& size;
-  MomentErrors error;
-  MomentIntervals interval;
-  std::string of_mean = {}, of_extremes = {};  ///< why they have no error; "" where they may have one
+  const Sample& sample;
+  MomentErrors error = {};
+  MomentIntervals interval = {};
+  std::string of_mean = {}, of_extremes = {};  // why they have no error; "" where they may have one
+
+  const Moments& m() const { return sample.moments(); }
 };
 
 template <auto value, auto error, auto interval>
 Estimate moment(const Heights& h) {
-  return {h.m.*value, h.error.*error, h.interval.*interval};
+  return {h.m().*value, h.error.*error, h.interval.*interval};
 }
 template <auto value>
 Estimate extreme(const Heights& h) {
-  return {.value = h.m.*value, .why = h.of_extremes};
+  return {.value = h.m().*value, .why = h.of_extremes};
 }
 
 // The kurtosis of any distribution is 1 at least.
 template <>
 Estimate moment<&Moments::sku, &MomentErrors::sku, &MomentIntervals::sku>(const Heights& h) {
   Interval ends = h.interval.sku;
-  ends.low = std::max(ends.low, std::min(h.m.sku, 1.0));
-  return {h.m.sku, h.error.sku, ends};
+  ends.low = std::max(ends.low, std::min(h.m().sku, 1.0));
+  return {h.m().sku, h.error.sku, ends};
 }
 
 constexpr Definition<Heights> height_table[] = {
     {"mean", of_field, "mean height, from which the heights below are measured",
      [](const Heights& h) {
-       if (!h.of_mean.empty()) return Estimate{.value = h.level, .why = h.of_mean};
+       const double level = h.sample.surface().level;
+       if (!h.of_mean.empty()) return Estimate{.value = level, .why = h.of_mean};
        const auto& [low, high, why] = h.interval.mean;
-       return Estimate{h.level, h.error.mean, Interval::about(h.level, (high - low) / 2)};
+       return Estimate{level, h.error.mean, Interval::about(level, (high - low) / 2)};
      }},
     {"Sa", of_field, "arithmetic mean height", moment<&Moments::sa, &MomentErrors::sa, &MomentIntervals::sa>},
     {"Sq", of_field, "root mean square height",
@@ -61,8 +62,8 @@ constexpr Definition<Heights> height_table[] = {
     {"Sp", of_field, "maximum peak height of the whole field", extreme<&Moments::sp>},
     {"Sv", of_field, "maximum pit depth of the whole field", extreme<&Moments::sv>},
     {"Sz", of_field, "maximum height Sp + Sv",
-     [](const Heights& h) { return Estimate{.value = h.m.sz(), .why = h.of_extremes}; }},
-    {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.size.points()}; }}};
+     [](const Heights& h) { return Estimate{.value = h.m().sz(), .why = h.of_extremes}; }},
+    {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.sample.size().points()}; }}};
 
 // For the distribution that the field was drawn with or evidently has; none for a Gaussian's.
 std::optional<TranslationErrors> translation_errors(const Sample& sample) {
@@ -76,7 +77,7 @@ std::optional<TranslationErrors> translation_errors(const Sample& sample) {
 Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
   const Moments& m = sample.moments();
   const double t = student_quantile(0.025, errors.degrees());
-  Heights out{sample.surface().level, m, sample.size(), {}, {}};
+  Heights out{sample};
   out.error = {.mean = errors.of_mean(),
                .sa = errors([](const Moments& of) { return of.sa; }),
                .sq = errors([](const Moments& of) { return of.sq; }),
@@ -110,10 +111,9 @@ Heights heights_of(const Sample& sample) {
   const EffectiveSampleSize& size = sample.size();
   if (!sample.correlation_gives_errors())
     if (const auto& errors = sample.height_errors()) return by_long_waves(sample, *errors);
-  const double level = sample.surface().level;
   const auto errors = translation_errors(sample);
-  if (!errors) return {level, m, size, standard_errors(m, size), confidence_intervals(m, size)};
-  return {level, m, size, errors->standard_errors(m.sq), confidence_intervals(m, *errors, size)};
+  if (!errors) return {sample, standard_errors(m, size), confidence_intervals(m, size)};
+  return {sample, errors->standard_errors(m.sq), confidence_intervals(m, *errors, size)};
 }
 
 // ---- effective sample sizes ----
@@ -139,7 +139,7 @@ void add_sizes(ParameterList& out, const Sample& sample) {
     const double value = size.effective(k);
     Estimate estimate{std::isfinite(value) ? value : unknown};
     std::string why = why_no_error(sample, k);
-    const double half = 0.5 * size.points();  // beyond it hardly any lag tells of the sum
+    const double half = 0.5 * size.points();  // beyond it the sum rests on hardly any lag
     if (errors && why.empty() && value < half) estimate = {value, (*errors)(k), errors->interval(k)};
     if (why.empty() && !(value < half)) why = "no standard error: neighbours are hardly correlated";
     out.add(
@@ -179,6 +179,9 @@ constexpr Definition<GoodnessOfFit> test_table[] = {
 
 }  // namespace
 
+std::string height_symbols() { return symbols_of(height_table); }
+std::string material_symbols() { return symbols_of(core_table) + ", " + symbols_of(volume_table); }
+
 Parameters height_parameters(const Sample& sample, const MeasureOptions& options) {
   ParameterList out(sample.surface().units);
   Heights heights = heights_of(sample);
@@ -186,8 +189,8 @@ Parameters height_parameters(const Sample& sample, const MeasureOptions& options
     heights.of_mean = "no standard error: the L-filter has taken the long waves that it rests on";
   if (sample.size().gives_errors() && !sample.surface().distribution && sample.distribution())
     heights.of_extremes =
-        "no standard error: the extremes of heights that are not Gaussian lie in tails that the field tells "
-        "little of";
+        "no standard error: the extremes of heights that are not Gaussian rest on tails of which the field "
+        "has few heights";
   out.add(height_table, heights);
   add_sizes(out, sample);
   if (!sample.basis().pairs.complete())

@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr double least_share = 0.01;  // of a parameter, that is told
+constexpr double least_share = 0.01;  // of a parameter, below which it is not mentioned
 
 std::string steps_in(double step, double share, const char* square) {
   if (!(share > least_share)) return "";
@@ -171,6 +171,8 @@ Estimate square_of_sq(const Sample& sample, const MeasureOptions& options) {
 }
 
 }  // namespace
+
+std::string slope_symbols() { return symbols_of(slope_table); }
 
 std::string steps_in_slopes(double step, double share) { return steps_in(step, share, "slope"); }
 std::string steps_in_curvatures(double step, double share) {

@@ -34,6 +34,13 @@ Parameters measure(const Sample& sample, Group group, const MeasureOptions& opti
   return groups.at(static_cast<std::size_t>(group))(sample, options);
 }
 
+std::string symbols(Group group) {
+  return group == Group::height     ? height_symbols()
+         : group == Group::material ? material_symbols()
+         : group == Group::hybrid   ? slope_symbols()
+                                    : "";
+}
+
 Sample stand_in(Surface flat, double rms) {
   std::vector<double> row(static_cast<std::size_t>(flat.grid.shape.ny));
   WhiteNoise noise(1);

@@ -15,7 +15,7 @@ namespace {
 enum Local {
   first,
   all,
-  slope,
+  first_square,
   second,
   sloped,
   surrounded,
@@ -57,7 +57,7 @@ Values local_values(const Eigen::ArrayXd& z, const Line& line, double step) {
   for (Index i = 0; i < z.size(); ++i) {
     const Index before = line.at(i - 1), after = line.at(i + 1);
     if (after < 0) continue;
-    set(i, slope, sloped, (z(after) - z(i)) / step);
+    set(i, first_square, sloped, (z(after) - z(i)) / step);
     if (before >= 0) set(i, second, surrounded, (z(before) - 2 * z(i) + z(after)) / (step * step));
   }
   out.col(length) = step * out.col(surrounded);
@@ -67,7 +67,7 @@ Values local_values(const Eigen::ArrayXd& z, const Line& line, double step) {
 
 using Means = Eigen::VectorXd;
 
-double m2(const Means& m) { return m(slope) / m(sloped); }
+double m2(const Means& m) { return m(first_square) / m(sloped); }
 double m4(const Means& m) { return m(second) / m(surrounded); }
 double alpha(const Means& m) { return (m(all) - m(first) * m(first)) * m4(m) / (m2(m) * m2(m)); }
 double peak_density(const Means& m) { return m(peak) / m(length); }

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "stats/height/height_steps.hpp"
-#include "stats/hypothesis/stepped.hpp"
+#include "stats/height/distribution.hpp"
+#include "stats/hypothesis/gaussianity.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {

@@ -62,7 +62,6 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const Le
 Parameters spatial_parameters(const Sample& sample, const MeasureOptions& options) {
   const Field& z = sample.surface().heights;
   const ErrorBasis& basis = sample.basis();
-  if (z.size() == 0) throw DataError(sample.surface().variable, "spatial parameters need the whole field");
   const AcfParameters half{.max_lag = default_max_lag(sample.grid()), .threads = sample.threads()};
   ParameterList out(sample.surface().units);
   const AcfEstimate acf{basis.estimated ? basis.correlation : estimate_autocorrelation(z, basis.pairs, half),

@@ -2,7 +2,7 @@
 ///
 /// Degrees of freedom come from the power that wave numbers share and from neighbouring points
 /// (stats/spectrum/shared_power.hpp, pooled_degrees.hpp); unless heights were drawn Gaussian, what local
-/// amplitudes that stray add comes from the field's own long waves (power_excess.hpp); what the window
+/// amplitudes that vary add comes from the field's own long waves (power_excess.hpp); what the window
 /// smooths and leaks, and what missing points spread, lengthens intervals or leaves none (resolution.hpp,
 /// holes.hpp).
 ///
@@ -23,7 +23,7 @@
 
 namespace asperity {
 
-/// Of a sample that is whole. The wave of two points has half its density, as at either sign.
+/// The wave of two points has half its density, as at either sign.
 std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, DataWindow window);
 std::vector<SpectrumPoint> radial_spectrum(const Sample& sample, DataWindows windows);
 

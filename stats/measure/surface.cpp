@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/filter/form.hpp"
-#include "stats/height/height_steps.hpp"
+#include "stats/height/distribution.hpp"
 #include "stats/spatial/acf.hpp"
 #include "transform/plan.hpp"
 
@@ -119,7 +119,7 @@ std::string too_few(const EffectiveSampleSize& size) {
   if (size.effective(2) >= size.least_effective())
     return "the form of degree " + std::to_string(size.form().degree()) +
            " has taken too large a share of the heights to tell what it took: its " +
-           shortest(size.form().count()) + " modes beside N_eff = " + rounded(size.effective(2));
+           shortest(size.form().count()) + " modes, with N_eff = " + rounded(size.effective(2));
   return "N_eff = " + rounded(size.effective(2)) + " is below " + shortest(size.least_effective());
 }
 

@@ -15,7 +15,6 @@
 #include "core/field.hpp"
 #include "marginal/translation.hpp"
 #include "stats/filter/preparation.hpp"
-#include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/long_waves.hpp"

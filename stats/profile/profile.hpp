@@ -6,7 +6,7 @@
 ///     t              the same as z over the whole profile
 ///     dq = √(mean z'²),
 ///          z'_i = (z_{i+3} - 9 z_{i+2} + 45 z_{i+1} - 45 z_{i-1} + 9 z_{i-2} - z_{i-3})/(60Δ)          (2)
-///     Sm             mean spacing of elements, a hill and the dale beside it. Hills rise over z/10 above
+///     Sm             mean spacing of elements, a hill and the dale next to it. Hills rise over z/10 above
 ///                    the mean line, dales fall as far below; an element ends where the profile crosses it
 ///                    (half way from the first to the last of several crossings), and elements from hill to
 ///                    hill and from dale to dale are both counted.
@@ -38,7 +38,6 @@
 #include <array>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/spectrum/spectrum.hpp"
 #include "stats/uncertainty/sequence_error.hpp"

@@ -9,7 +9,7 @@
 #include "core/parallel.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/filter/missing.hpp"
-#include "stats/spatial/rectangle_sums.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "transform/lag_sums.hpp"
 
 namespace asperity {

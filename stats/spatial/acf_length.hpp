@@ -36,7 +36,7 @@
 #include <optional>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
 
 namespace asperity {
 

@@ -5,6 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "stats/filter/missing.hpp"
+#include "transform/plan.hpp"
+
 namespace asperity {
 namespace {
 
@@ -111,6 +114,130 @@ void judge_resolution(std::vector<SpectrumPoint>& points, const WindowedSpectrum
       point.no_error = NoError::leakage;
     else if (hidden_by(bias[i], point))
       point.no_error = NoError::resolution;
+    if (point.no_error != NoError::none)
+      point.standard_error = point.degrees = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+// ---- degrees of freedom from neighbours ----
+
+namespace {
+
+constexpr double left_by_chance = 1.5;
+constexpr double most_bias = 0.5;  // relative errors
+
+struct Range {
+  Index first, last;
+};
+
+// The neighbours of point i, with it; the mean height is not one of the others'.
+Range neighbours(Index i, Index count, PointKind kind) {
+  const Index first = kind == PointKind::ring ? 1 : 0, k = first + i, reach = 1 + k / 8;
+  if (k == 0) return {0, 0};
+  return {std::max<Index>(k - reach, 1) - first, std::min(i + reach, count - 1)};
+}
+
+double relative_variance(const SpectrumPoint& p) { return std::pow(p.standard_error / p.density, 2); }
+
+// ū at point i; the point of the mean height, which is not one of the others, alone.
+double pooled(const std::vector<SpectrumPoint>& points, Index i, PointKind kind) {
+  const Index first = kind == PointKind::ring ? 1 : 0, k = first + i;
+  const auto [from, to] = neighbours(i, std::ssize(points), kind);
+  double sum = 0;
+  for (Index j = from; j <= to; ++j) {
+    const double share =
+        kind == PointKind::ring ? static_cast<double>(first + j) / static_cast<double>(k) : 1;
+    sum += share * relative_variance(points[static_cast<std::size_t>(j)]);
+  }
+  return sum / static_cast<double>(to - from + 1);
+}
+
+}  // namespace
+
+void pool_degrees(std::vector<SpectrumPoint>& points, PointKind kind) {
+  std::vector<double> all(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) all[i] = pooled(points, static_cast<Index>(i), kind);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!std::isfinite(all[i])) continue;  // a density of zero is near
+    const double from_mean = std::max(2 / all[i] - 2, 0.0);
+    const double degrees =
+        std::max(from_mean * from_mean / (from_mean + left_by_chance), std::min(from_mean, 2.0));
+    points[i].degrees = degrees;
+    points[i].standard_error = points[i].density * std::sqrt(2 / (degrees + 2));
+  }
+}
+
+std::vector<double> pooled_bias(const std::vector<double>& once_more, const std::vector<double>& densities,
+                                PointKind kind) {
+  const Index count = std::ssize(densities);
+  Eigen::ArrayXd single(count);
+  for (Index i = 0; i < count; ++i) {
+    const double b =
+        std::log(once_more[static_cast<std::size_t>(i)] / densities[static_cast<std::size_t>(i)]);
+    single(i) = std::isnan(b) ? 0 : std::clamp(b, -2.0, 2.0);
+  }
+  std::vector<double> out;
+  for (Index i = 0; i < count; ++i) {
+    const auto [from, to] = neighbours(i, count, kind);
+    out.push_back(single.segment(from, to - from + 1).mean());
+  }
+  return out;
+}
+
+bool hidden_by(double bias, const SpectrumPoint& point) {
+  return std::abs(bias) * point.density > most_bias * point.standard_error;
+}
+
+// ---- what holes spread ----
+
+namespace {
+
+// (1): a F⁻¹[C] is real and even, and so is C.
+Field times_pairs(Field lags, const RealTransform2D& transform, const Field& there) {
+  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
+  AlignedVector<double> values(there.data(), there.data() + there.size());
+  transform.forward(values.data(), spectrum.data());
+  for (Complex& c : spectrum) c = std::norm(c);
+  transform.inverse(spectrum.data(), values.data());
+  const double all = values[0];
+  for (Index k = 0; k < lags.size(); ++k) lags.data()[k] *= values[static_cast<std::size_t>(k)] / all;
+  return lags;
+}
+
+}  // namespace
+
+LagField spread_by_holes(const LagField& psd, const Field& d) {
+  const Index nx = d.rows(), ny = d.cols();
+  const RealTransform2D transform({nx, ny});
+  AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
+  for (Index i = 0; i < nx; ++i)
+    for (Index j = 0; j < transform.spectrum_columns(); ++j)
+      spectrum[static_cast<std::size_t>(i * transform.spectrum_columns() + j)] =
+          i <= psd.max_p() ? psd(i, j) : psd(nx - i, -j);
+  AlignedVector<double> lags(static_cast<std::size_t>(d.size()));
+  transform.inverse(spectrum.data(), lags.data());
+  const Field product = times_pairs(Eigen::Map<const Field>(lags.data(), nx, ny), transform, validity(d));
+  std::ranges::copy(product.reshaped<Eigen::RowMajor>(), lags.begin());
+  transform.forward(lags.data(), spectrum.data());
+  return LagField::of(psd.max_lag(), [&](Index p, Index q) {
+    const Index row = q >= 0 ? p : (nx - p) % nx;
+    return spectrum[static_cast<std::size_t>(row * transform.spectrum_columns() + std::abs(q))].real() /
+           static_cast<double>(d.size());
+  });
+}
+
+void judge_holes(std::vector<SpectrumPoint>& points, const std::vector<SpectrumPoint>& once_more,
+                 PointKind kind) {
+  auto densities = [](const std::vector<SpectrumPoint>& of) {
+    std::vector<double> out;
+    for (const SpectrumPoint& p : of) out.push_back(p.density);
+    return out;
+  };
+  const std::vector<double> bias = pooled_bias(densities(once_more), densities(points), kind);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    SpectrumPoint& point = points[i];
+    point.bias += bias[i];
+    if (point.no_error == NoError::none && hidden_by(bias[i], point)) point.no_error = NoError::holes;
     if (point.no_error != NoError::none)
       point.standard_error = point.degrees = std::numeric_limits<double>::quiet_NaN();
   }

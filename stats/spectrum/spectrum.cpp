@@ -58,7 +58,7 @@ Field rows_of_powers(const PrunedTransform& transform, std::span<const Complex> 
   return out;
 }
 
-// Wave numbers lie on the bounds of rings and sectors, whatever the unit of length.
+// Wave numbers are on the bounds of rings and sectors, whatever the unit of length.
 constexpr double round_off = 1e-12;
 
 struct WaveNumbers {

@@ -53,8 +53,8 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/filter/axis.hpp"
-#include "stats/spatial/lag_field.hpp"
+#include "stats/filter/axis_products.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "stats/spectrum/shared_power.hpp"
 #include "stats/uncertainty/interval.hpp"
 

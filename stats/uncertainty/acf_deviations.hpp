@@ -36,7 +36,7 @@
 #include <Eigen/Core>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/interval.hpp"
 
 namespace asperity {

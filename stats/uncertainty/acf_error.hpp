@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/correlation_algebra.hpp"
 

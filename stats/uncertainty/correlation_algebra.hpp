@@ -27,7 +27,6 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 
 namespace asperity {

@@ -60,7 +60,6 @@
 
 #include "core/field.hpp"
 #include "stats/sample/moments.hpp"
-#include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/correlation_algebra.hpp"
 #include "stats/uncertainty/form_modes.hpp"

@@ -42,7 +42,6 @@
 
 #include "core/field.hpp"
 #include "stats/filter/form.hpp"
-#include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 
 namespace asperity {

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {

@@ -34,7 +34,7 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/acf_deviations.hpp"
 #include "stats/uncertainty/long_waves.hpp"
 

@@ -35,7 +35,6 @@
 #include <Eigen/Core>
 
 #include "core/field.hpp"
-#include "stats/spatial/lag_field.hpp"
 #include "stats/spatial/pairs.hpp"
 
 namespace asperity {

@@ -6,7 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "stats/filter/missing.hpp"
-#include "stats/spatial/rectangle_sums.hpp"
+#include "stats/spatial/pairs.hpp"
 
 namespace asperity {
 namespace {

@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "marginal/translation.hpp"
-#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {

@@ -88,7 +88,7 @@ struct Frequency {
   double error = 0;   ///< (1); NaN where too few heights tell of it
   double points = 0;  ///< that it rests on
   Interval interval = {};
-  /// What the error of the mean adds at the ends besides (1) (stats/height/height_classes.hpp).
+  /// What the error of the mean adds at the ends besides (1) (stats/height/distribution.hpp).
   double fall = 0, rise = 0;
 };
 

@@ -30,7 +30,7 @@
 
 #include "marginal/correlation_map.hpp"
 #include "marginal/translation.hpp"
-#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 
 namespace asperity {

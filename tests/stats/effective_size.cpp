@@ -1,19 +1,18 @@
 #include "stats/uncertainty/effective_size.hpp"
 
+#include <gsl/gsl_cdf.h>
+
+#include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
+#include "stats/uncertainty/weighted_chi_squared.hpp"
+#include "support.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
 
 namespace {
-
-// The spread of the moments over an ensemble of moving averages, and what was predicted for them.
-struct Ensemble {
-  Spread mean, sa, sq, ssk, sku;
-
-  void add(const Moments& m) { mean.add(m.mean), sa.add(m.sa), sq.add(m.sq), ssk.add(m.ssk), sku.add(m.sku); }
-};
 
 // Σ_{|p|<a} (1 - |p|/a)², the square of a triangle of base 2a.
 double squared_triangle(double a) { return (2 * a * a + 1) / (3 * a); }
@@ -77,24 +76,6 @@ TEST_CASE("Sa's standard error from the Hermite series is that of the closed for
   });
   CHECK(relative_error(standard_errors({.sq = 1}, EffectiveSampleSize(rho, g)).sa, std::sqrt(sum / 1500)) <=
         1e-6);
-}
-
-// 1000 fields: the spread of a spread is 1/√2000 = 2.2 % for Gaussian numbers; four of them, and 3 % for the
-// terms of second order, S/N ≈ 20/3000 with factors of a few for the fourth moment, whose own distribution is
-// skewed.
-TEST_CASE("the standard errors of the moments are the spread over an ensemble of correlated fields",
-          "[effective-size][statistics]") {
-  const Shape window{5, 4};
-  const Grid g = grid(64, 48);
-  Ensemble seen;
-  for (unsigned seed = 0; seed < 1000; ++seed) seen.add(moments(moving_average(g.shape, window, seed)));
-  const MomentErrors predicted =
-      standard_errors({.sq = 1}, EffectiveSampleSize(triangular_correlation(window), g));
-  CHECK(seen.mean.deviation() == Approx(predicted.mean).epsilon(0.12));
-  CHECK(seen.sa.deviation() == Approx(predicted.sa).epsilon(0.12));
-  CHECK(seen.sq.deviation() == Approx(predicted.sq).epsilon(0.12));
-  CHECK(seen.ssk.deviation() == Approx(predicted.ssk).epsilon(0.12));
-  CHECK(seen.sku.deviation() == Approx(predicted.sku).epsilon(0.12));
 }
 
 // Admitted by chance are 0.27 % of the lags, each with ρ² of about 10/N: S_2 grows by 3 % at most.
@@ -219,4 +200,148 @@ TEST_CASE("the lags that exceed noise are those that come before the first withi
     CHECK(admitted > 12);
     CHECK(significant(rho, pairs).size() == admitted);
   }
+}
+
+// ---- weighted chi squared ----
+
+namespace {
+
+// exp(-y) Σ yᵏ/k! over k < n/2, y = x/2, of n degrees, n even; erfc(√y) of one.
+double chi_squared_exceedance(double x, int degrees) {
+  if (degrees == 1) return std::erfc(std::sqrt(x / 2));
+  double term = std::exp(-x / 2), sum = term;
+  for (int k = 1; k < degrees / 2; ++k) sum += term *= x / 2 / k;
+  return sum;
+}
+
+}  // namespace
+
+// The rule's error, 4e-17 of the integrand, and the round-off of a hundred nodes, each of a K and an x s up
+// to 100: 100 · 100 ε = 2e-12. 1e-10 is what the header says.
+TEST_CASE("equal weights give the chi-squared law of as many degrees", "[weighted-chi-squared][exact]") {
+  for (int degrees : {1, 2, 4, 12, 60})
+    for (double weight : {1.0, 3e-7})
+      for (double quantile : {0.01, 0.5, 0.95, 0.999, 1 - 1e-12}) {
+        const double x = gsl_cdf_chisq_Pinv(quantile, degrees);
+        const double p =
+            weighted_chi_squared_exceedance(Eigen::ArrayXd::Constant(degrees, weight), weight * x);
+        CAPTURE(degrees, weight, quantile);
+        CHECK(relative_error(p, chi_squared_exceedance(x, degrees)) <= 1e-10);
+      }
+}
+
+// Pairs a, a, b, b, c, c: Σ λ²/Π(λ - λ') exp(-x/2λ), a mixture of exponentials whose terms cancel to a tenth.
+TEST_CASE("pairs of weights give the closed mixture of exponentials", "[weighted-chi-squared][exact]") {
+  const double a = 1, b = 0.5, c = 0.3;
+  Eigen::ArrayXd weights(6);
+  weights << a, b, c, c, b, a;
+  for (double x : {0.1, 1.0, 4.0, 10.0, 30.0, 200.0}) {
+    auto term = [x](double l, double m, double n) {
+      return l * l / ((l - m) * (l - n)) * std::exp(-x / 2 / l);
+    };
+    const double exact = term(a, b, c) + term(b, a, c) + term(c, a, b);
+    CAPTURE(x);
+    CHECK(relative_error(weighted_chi_squared_exceedance(weights, x), exact) <= 1e-10);
+  }
+}
+
+// A² of a known Gaussian has the weights 1/(j(j+1)); its quantiles at 10 %, 5 % and 1 % are 1.932958,
+// 2.492367 and 3.878125 (Marsaglia and Marsaglia, J. Stat. Softw. 9 (2004) 2). The weights beyond 400 are
+// worth their mean, 1/401, and a variance of 2/(3·401³), 1e-8.
+TEST_CASE("the weights 1/j(j+1) give the quantiles of Anderson and Darling",
+          "[weighted-chi-squared][exact]") {
+  const Eigen::ArrayXd weights = Eigen::ArrayXd::NullaryExpr(
+      400, [](Eigen::Index j) { return 1 / static_cast<double>((j + 1) * (j + 2)); });
+  for (auto [quantile, p] : {std::pair{1.932958, 0.10}, {2.492367, 0.05}, {3.878125, 0.01}})
+    CHECK(std::abs(weighted_chi_squared_exceedance(weights, quantile - 1.0 / 401) - p) <= 1e-6);
+}
+
+TEST_CASE("no weight, or a value below zero, leaves no doubt", "[weighted-chi-squared][contract]") {
+  CHECK(weighted_chi_squared_exceedance(Eigen::ArrayXd::Zero(3), 0.1) == 0);
+  CHECK(weighted_chi_squared_exceedance(Eigen::ArrayXd::Ones(8), 0) == 1);
+  CHECK(weighted_chi_squared_exceedance(Eigen::ArrayXd::Ones(8), 1e7) == 0);
+}
+
+// ---- moment interval ----
+
+// All S_k are 1.
+TEST_CASE("independent heights have Fisher's intervals", "[moment-interval][exact]") {
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(5, 8));
+  const Moments m{.mean = 7, .sa = 1.5, .sq = 2, .ssk = 0.3, .sku = 2.5};
+  const MomentIntervals i = confidence_intervals(m, size);
+  const double left = std::sqrt(39.0 / 40), t = gsl_cdf_tdist_Qinv(0.025, 39);
+  CHECK(relative_error(i.mean.high - 7, t * 2 / std::sqrt(39)) <= 1e-12);
+  CHECK(relative_error(7 - i.mean.low, t * 2 / std::sqrt(39)) <= 1e-12);
+  CHECK(relative_error(i.sq.low, 2 / left * std::sqrt(40 / gsl_cdf_chisq_Pinv(0.975, 40))) <= 1e-12);
+  CHECK(relative_error(i.sq.high, 2 / left * std::sqrt(40 / gsl_cdf_chisq_Pinv(0.025, 40))) <= 1e-12);
+  CHECK(relative_error(i.ssk.high - i.ssk.low, 2 * 1.959964 * std::sqrt(6 * 38 / (41.0 * 43))) <= 1e-6);
+  CHECK(relative_error(i.sku.high + i.sku.low, 2 * (2.5 + 6 / 40.0)) <= 1e-12);
+  CHECK(relative_error(i.sku.high - i.sku.low,
+                       2 * 1.959964 * std::sqrt(24 * 40.0 * 38 * 37 / (41.0 * 41 * 43 * 45))) <= 1e-6);
+}
+
+// 1500 fields of 4 × 4 correlation lengths know their deviation to 1/√3000 = 1.8 %, four of which are
+// allowed, and 4 % for the third order. To first order, and as of independent heights, the variance would be
+// 6/ν_3 and 0.92 of that: the deviation too large by 22 and 17 %.
+TEST_CASE("the skewness of few patches varies as the second order says, not the first",
+          "[moment-interval][statistics]") {
+  const EffectiveSampleSize size(triangular_correlation({16, 16}), grid(64, 64));
+  Spread ssk;
+  for (unsigned seed = 0; seed < 1500; ++seed) ssk.add(moments(moving_average({64, 64}, {16, 16}, seed)).ssk);
+  const Interval i = confidence_intervals({.mean = 0, .sa = 0.8, .sq = 1, .ssk = 0, .sku = 3}, size).ssk;
+  CHECK(std::abs(i.high / 1.959964 / ssk.deviation() - 1) <= 4 * 0.018 + 0.04);
+}
+
+// Wilson and Hilferty's cube root against the chi-squared's own quantiles: 0.05 ν^{-3/2} of them, half of it
+// of a root.
+TEST_CASE("at ten thousand independent heights the interval of Sq goes on as it was",
+          "[moment-interval][exact]") {
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(100, 100));
+  const Interval sq = confidence_intervals({.sa = 0.8, .sq = 1, .sku = 3}, size).sq;
+  const double left = std::sqrt(1 - 1e-4), bound = 0.025 * std::pow(1e4, -1.5);
+  CHECK(relative_error(sq.low, std::sqrt(1e4 / gsl_cdf_chisq_Pinv(0.975, 1e4)) / left) <= bound);
+  CHECK(relative_error(sq.high, std::sqrt(1e4 / gsl_cdf_chisq_Pinv(0.025, 1e4)) / left) <= bound);
+}
+
+// Of 4e6 to 4e8 heights the intervals are 1.96 standard errors to first order; the second is their square.
+TEST_CASE("of millions of independent heights the intervals are 1.96 standard errors",
+          "[moment-interval][law]") {
+  for (Index n : {2000, 6000, 20000}) {
+    const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(n, n));
+    const Moments m{.mean = 0, .sa = 0.7978845608, .sq = 1, .ssk = 0, .sku = 3};
+    const MomentErrors error = standard_errors(m, size);
+    const MomentIntervals i = confidence_intervals(m, size);
+    auto halves = [&](const Interval& interval, double value, double of) {
+      CHECK(std::abs((interval.high - value) / (1.959964 * of) - 1) <= 6 * of / value + 1e-6);
+      CHECK(std::abs((value - interval.low) / (1.959964 * of) - 1) <= 6 * of / value + 1e-6);
+    };
+    CAPTURE(n);
+    halves(i.sq, 1, error.sq);
+    halves(i.sa, m.sa, error.sa);
+    halves(i.sku, 3, error.sku);
+    CHECK(relative_error(i.mean.high, 1.959964 * error.mean) <= 1e-5);
+    CHECK(relative_error(i.ssk.high, 1.959964 * error.ssk) <= 1e-5);
+  }
+}
+
+TEST_CASE("an interval of half the confidence is narrower, and about the same scale",
+          "[moment-interval][law]") {
+  const Field z = moving_average({40, 40}, {3, 3}, 5);
+  const EffectiveSampleSize size(triangular_correlation({3, 3}), grid(40, 40));
+  const MomentIntervals wide = confidence_intervals(moments(z), size),
+                        narrow = confidence_intervals(moments(z), size, 0.5);
+  for (auto part : {&MomentIntervals::mean, &MomentIntervals::sa, &MomentIntervals::sq, &MomentIntervals::ssk,
+                    &MomentIntervals::sku}) {
+    CHECK((wide.*part).low < (narrow.*part).low);
+    CHECK((narrow.*part).high < (wide.*part).high);
+  }
+}
+
+TEST_CASE("a confidence that is none is refused, and so few patches have no interval",
+          "[moment-interval][contract]") {
+  const EffectiveSampleSize few(triangular_correlation({9, 9}), grid(3, 3));
+  const Moments m{.mean = 0, .sa = 0.8, .sq = 1, .ssk = 0, .sku = 3};
+  for (double level : {0.0, 1.0, -2.0, std::nan("")})
+    CHECK_THROWS_AS(confidence_intervals(m, few, level), ParameterError);
+  CHECK(std::isnan(confidence_intervals(m, few).sku.low));
 }

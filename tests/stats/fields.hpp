@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "stats/spatial/lag_field.hpp"
+#include "stats/spatial/pairs.hpp"
 #include "support.hpp"
 #include "transform/plan.hpp"
 

@@ -47,7 +47,7 @@ Field disc(Index n) {
 }
 
 // The correlation of two points that are p, q apart, the shorter way round.
-double between(const LagField& rho, const Grid& g, Index p, Index q) {
+double folded_correlation(const LagField& rho, const Grid& g, Index p, Index q) {
   auto way = [](Index lag, Index n, bool periodic) {
     return periodic && 2 * std::abs(lag) > n ? lag - (lag > 0 ? n : -n) : lag;
   };
@@ -68,7 +68,8 @@ TEST_CASE("a form takes the trace of its projection of the correlation", "[form-
         double trace = 0;
         for (Index k = 0; k < taken.rows(); ++k)
           for (Index l = 0; l < taken.cols(); ++l)
-            trace += taken(k, l) * between(rho, g, k / shape.ny - l / shape.ny, k % shape.ny - l % shape.ny);
+            trace += taken(k, l) *
+                     folded_correlation(rho, g, k / shape.ny - l / shape.ny, k % shape.ny - l % shape.ny);
         CAPTURE(periodic, shape.nx, degree);
         const double n = static_cast<double>(shape.cells());
         const double expected = std::min(trace / n, 0.5);
@@ -120,63 +121,4 @@ TEST_CASE("of white noise a form takes as many points as it has modes, and B is 
     const EffectiveSampleSize size(triangular_correlation({1, 1}), g, form);
     CHECK(relative_error(size.taken_by_form(), std::min(0.5, modes / (24 * 17))) <= 1e-12);
   }
-}
-
-// Sq² of a field has the error √(2 S_2/N) = 4.8 %, with S_2 = 8.7 and N = 7680; its mean over 100 fields 0.5 %.
-// The forms take 1.5 and 3.8 %.
-TEST_CASE("with what the form took put back, Sq is that of the surface without it",
-          "[form-modes][statistics]") {
-  const Grid g = grid(96, 80);
-  for (const int degree : {2, 4}) {
-    Spread by_correlation, by_modes;
-    for (unsigned seed = 0; seed < 100; ++seed) {
-      const Surface surface = prepared({.grid = g, .heights = moving_average(g.shape, {5, 4}, seed)},
-                                       {.form = {.degree = degree}});
-      const Sample sample(surface);
-      const double square = std::pow(sample.moments().sq, 2);
-      by_correlation.add(square / (1 - sample.size().taken_by_form()));
-      by_modes.add(square / (1 - sample.height_errors()->taken()));
-    }
-    CAPTURE(degree);
-    CHECK(std::abs(by_correlation.mean() - 1) <= 0.015);
-    CHECK(std::abs(by_modes.mean() - 1) <= 0.015);
-  }
-}
-
-// The mean of 5 × 4 neighbours has the variance 20/N less the edges; nine modes know it to 1/√18 a field.
-// Once, modes were those of the whole square: on the disc the variance was 0.29 of the true one.
-TEST_CASE("above a form the error of the mean is that of the mean of the surface, whatever its outline",
-          "[form-modes][statistics]") {
-  const Grid g = grid(96, 96);
-  for (const bool whole : {true, false}) {
-    const Field points = whole ? Field::Ones(96, 96) : disc(96);
-    const double known =
-        EffectiveSampleSize(triangular_correlation({5, 4}), Pairs::of(points, g)).mean_power(1);
-    Spread stated;
-    for (unsigned seed = 0; seed < 100; ++seed) {
-      const Surface surface = prepared({.grid = g, .heights = points * moving_average(g.shape, {5, 4}, seed)},
-                                       {.form = {.degree = 2}});
-      stated.add(std::pow(Sample(surface).height_errors()->of_mean(), 2));
-    }
-    // Four errors of the mean over the fields, and 3 % that 1/(1 - L)² may be off at N_eff = 880.
-    CAPTURE(whole);
-    CHECK(relative_error(stated.mean(), known) <= 4 * std::sqrt(2.0 / 900) + 0.03);
-  }
-}
-
-// exp(x) has the median 1 - √e above its mean √e. Of 100 intervals that hold it with 95 %, 88 at least hold it
-// in 99.8 % of cases. Once they were about the field's own median, which the form moves towards the mean: 68.
-TEST_CASE("intervals of the median of skewed heights hold it above a form", "[form-modes][statistics]") {
-  const Grid g = grid(96, 80);
-  int held = 0;
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    const Surface surface = prepared(
-        {.grid = g, .heights = moving_average(g.shape, {5, 5}, 500 + seed).exp()}, {.form = {.degree = 4}});
-    const Sample sample(surface);
-    const double median = sample.quantiles({0.5})[0], truth = 1 - std::exp(0.5);
-    const Interval ends = *quantile_estimates(sample, {0.5}, {median})[0].interval;
-    held += ends.low <= truth && truth <= ends.high;
-  }
-  CAPTURE(held);
-  CHECK(held >= 88);
 }

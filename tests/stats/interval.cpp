@@ -1,10 +1,17 @@
 // Intervals that hold their estimates, over surfaces of many kinds.
 #include "stats/uncertainty/interval.hpp"
 
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_errno.h>
+
+#include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/measure/acf_estimate.hpp"
+#include "stats/sample/ensemble.hpp"
+#include "stats/sample/quantiles.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
+#include "support.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -167,4 +174,88 @@ TEST_CASE("lag zero of a periodic wave is admitted before lags of whole periods"
   const LagField acf = estimate_autocorrelation(sine(g.shape, 1, 4), g, {.max_lag = default_max_lag(g)});
   CHECK(significant_lags(acf, g)(0, 0) == 1);
   CHECK(EffectiveSampleSize::of_estimate(acf, g).effective(2) <= 10);
+}
+
+// ---- quantiles ----
+
+namespace {
+
+int calls = 0;
+
+// GSL's own handler would end the process.
+struct Counted {
+  gsl_error_handler_t* former = gsl_set_error_handler([](const char*, const char*, int, int) { ++calls; });
+  Counted() { calls = 0; }
+  ~Counted() { gsl_set_error_handler(former); }
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
+};
+
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 no_number = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+// The χ² and t quantiles of degrees that are no number ended the program of whoever used the library: a flat
+// surface has 0/0.
+TEST_CASE("no argument of a quantile reaches GSL's error handler", "[quantiles][contract]") {
+  const Counted handler;
+  const double degrees[] = {no_number, -inf, -1,  0,   1e-300, 1e-7, 1e-5,  0.005,
+                            0.02,      1,    1e3, 1e5, 1e8,    1e12, 1e300, inf},
+               tails[] = {no_number, -1, 0, 1e-300, 1e-12, 0.025, 0.5, 0.975, 1, 2, inf};
+  for (const double d : degrees)
+    for (const double t : tails) {
+      CAPTURE(d, t);
+      const bool chi = t >= 0 && t <= 1 && d >= 1e-6, student = t > 0 && t < 1 && d >= 0.01;
+      if (!chi) CHECK(std::isnan(chi_squared_share(t, d)));
+      if (chi && d < 1e300) CHECK(!std::isnan(chi_squared_share(t, d)));
+      if (!student || d >= 1) CHECK(std::isnan(student_quantile(t, d)) == !student);
+      CHECK(std::isnan(student_tails(t, d).below) == !(d >= 0.01 && !std::isnan(t)));
+      CHECK(std::isnan(student_tails(-t, d).above) == !(d >= 0.01 && !std::isnan(t)));
+    }
+  CHECK(calls == 0);
+}
+
+TEST_CASE("within their bounds quantiles are those of GSL, and the normal ones at the end",
+          "[quantiles][exact]") {
+  for (const double d : {0.5, 3.0, 41.0, 9e3}) {
+    CHECK(chi_squared_share(0.025, d) == gsl_cdf_chisq_Qinv(0.025, d) / d);
+    CHECK(student_quantile(0.025, d) == gsl_cdf_tdist_Qinv(0.025, d));
+    CHECK(student_tails(1.5, d).above == gsl_cdf_tdist_Q(1.5, d));
+  }
+  // t of ν degrees is x + (x³ + x)/4ν, 1.2e-9 beside the normal x = 1.96 of ν = 2e9.
+  const double x = gsl_cdf_ugaussian_Qinv(0.025);
+  CHECK(std::abs(student_quantile(0.025, 2e9) - x) <= 0);
+  CHECK(std::abs(gsl_cdf_tdist_Qinv(0.025, 0.99e9) - x) <= 2.5e-9);
+}
+
+// ---- ensemble ----
+
+// 1 … n: mean (n+1)/2, variance n(n+1)/12. Numbers below 2^53 apart, so that an offset of 1e9 is exact; each
+// of the n steps rounds by ε of the offset at most, less than n ε 1e9 = 2e-4 in the mean of spread 289.
+TEST_CASE("the numbers 1 to n have mean (n+1)/2 and variance n(n+1)/12, on any offset", "[ensemble][exact]") {
+  const double n = 1000;
+  for (double offset : {0.0, 1e9}) {
+    Ensemble ensemble;
+    for (double x = 1; x <= n; ++x) ensemble.add(Eigen::ArrayXd::Constant(1, offset + x));
+    const double rounding = n * epsilon * (offset + n);
+    const double variance = n * (n + 1) / 12;
+    CHECK(std::abs(ensemble.mean()(0) - offset - (n + 1) / 2) <= rounding);
+    CHECK(std::abs(ensemble.spread()(0) - std::sqrt(variance)) <= rounding);
+    CHECK(std::abs(ensemble.standard_error()(0) - std::sqrt(variance / n)) <= rounding);
+  }
+}
+
+TEST_CASE("a realisation without a quantity counts for the others only", "[ensemble][contract]") {
+  Ensemble ensemble;
+  ensemble.add(Eigen::Array3d(1, NAN, NAN));
+  ensemble.add(Eigen::Array3d(3, 7, NAN));
+  CHECK(ensemble.count()(0) == 2);
+  CHECK(ensemble.count()(1) == 1);
+  CHECK(ensemble.mean()(0) == 2);
+  CHECK(ensemble.mean()(1) == 7);
+  CHECK(ensemble.spread()(0) == Approx(std::sqrt(2)).epsilon(1e-15));
+  CHECK(std::isnan(ensemble.spread()(1)));
+  CHECK(std::isnan(ensemble.mean()(2)));
+  CHECK_THROWS_AS(ensemble.add(Eigen::Array2d(1, 2)), DataError);
 }

@@ -231,30 +231,3 @@ TEST_CASE("the interval of a ratio holds the value, also that of a contour which
       }
   }
 }
-
-// 200 fields of N_eff = 1000 (Gaussian) and their exponentials: a spread of skewed sums is known to 10 %, the
-// rms error, of K = 12 squares each, to 3 %; and waves lose up to a tenth.
-TEST_CASE("errors of lags are those of simulated fields, Gaussian or not", "[lag-waves][statistics][slow]") {
-  const Grid g = grid(96, 96);
-  for (const bool lognormal : {false, true}) {
-    const Shape lags[] = {{1, 0}, {3, 0}, {0, 2}, {2, -2}, {20, 0}};
-    Spread found[5];
-    double squares[5] = {};
-    for (unsigned f = 0; f < 200; ++f) {
-      Field z = moving_average(g.shape, {4, 4}, 900 + f);
-      if (lognormal) z = (0.6 * z).exp();
-      const AcfEstimate estimate =
-          AcfEstimate::of({.grid = g, .heights = remove_form(z)}, {.max_lag = {48, 48}});
-      const LagField errors =
-          LagWaves(remove_form(z), g, {20, 3}, estimate.basis.extent()).of_ratio(estimate.rho).errors();
-      for (std::size_t k = 0; k < 5; ++k) {
-        found[k].add(estimate.rho(lags[k].nx, lags[k].ny));
-        squares[k] += std::pow(errors(lags[k].nx, lags[k].ny), 2) / 200;
-      }
-    }
-    for (std::size_t k = 0; k < 5; ++k) {
-      CAPTURE(lognormal, lags[k].nx, lags[k].ny);
-      CHECK(std::sqrt(squares[k]) == Approx(found[k].deviation()).epsilon(0.25));
-    }
-  }
-}

@@ -5,10 +5,14 @@
 
 #include "fields.hpp"
 #include "holes.hpp"
+#include "named.hpp"
 #include "stats/height/height_error.hpp"
 #include "stats/hybrid/derivative_error.hpp"
 #include "stats/measure.hpp"
 #include "stats/sample/moments.hpp"
+#include "stats/sample/quantiles.hpp"
+#include "stats/uncertainty/interval.hpp"
+#include "stats/uncertainty/sequence_error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -145,69 +149,6 @@ TEST_CASE("a single measured row has the errors of a field of one row", "[long-w
   CHECK(relative_error(of.error(itself), expected.error(itself)) <= 1e-10);
 }
 
-// Of n fields the mean square of the error has the relative deviation √(2/(K n)), that of the true one √(2/n).
-// What (4) takes too little or too much off is within a tenth (validation/error_coverage).
-TEST_CASE("errors by long waves are the spread over an ensemble, whatever the heights",
-          "[long-waves][statistics]") {
-  const Shape shape{80, 64}, window{3, 4};
-  const Grid g{shape, 1.0, 0.5, false};
-  constexpr int fields = 500;
-  struct Judged {
-    Spread value, square;
-    void add(double of, double error) { value.add(of), square.add(error * error); }
-  };
-  for (const bool skewed : {false, true}) {
-    CAPTURE(skewed);
-    Judged mean, sa, sq, ssk, share, sdq, sdr, m2, m4, alpha, density, curvature, height;
-    for (unsigned seed = 0; seed < fields; ++seed) {
-      Field z = 0.1 * moving_average(shape, window, seed);
-      if (skewed) z = (5 * z).exp();
-      const Moments m = moments(z);
-      const FieldExtent extent{300, 80.0 / 64 * 4 / 3};
-      const HeightErrors of_heights(z, g, extent, m);
-      mean.add(m.mean, of_heights([](const Moments& of) { return of.mean; }));
-      sa.add(m.sa, of_heights([](const Moments& of) { return of.sa; }));
-      sq.add(m.sq, of_heights([](const Moments& of) { return of.sq; }));
-      if (!skewed) ssk.add(m.ssk, of_heights([](const Moments& of) { return of.ssk; }));
-      const QuantileErrors of_shares(z, g, extent, {skewed ? 1.2 : 0.05});
-      share.add(static_cast<double>((z <= (skewed ? 1.2 : 0.05)).count()) / static_cast<double>(z.size()),
-                of_shares(0));
-      const DerivativeErrors of(z, g, extent);
-      const Derivatives d{slope_parameters(z, g), spectral_moments(z, g), counted_summits(z, g)};
-      auto add = [&](Judged& to, const DerivativeErrors::Function& f) { to.add(f(d), of(f)); };
-      add(sdq, [](const Derivatives& x) { return x.slopes.sdq; });
-      add(sdr, [](const Derivatives& x) { return x.slopes.sdr; });
-      add(m2, [](const Derivatives& x) { return x.moments.along(0.3).m2; });
-      add(m4, [](const Derivatives& x) { return x.moments.m04; });
-      add(alpha, [](const Derivatives& x) { return x.moments.along(0).bandwidth(); });
-      add(density, [](const Derivatives& x) { return x.summits.density; });
-      add(curvature, [](const Derivatives& x) { return x.summits.mean_curvature; });
-      add(height, [](const Derivatives& x) { return x.summits.mean_height; });
-    }
-    for (const Judged* j :
-         {&mean, &sa, &sq, &ssk, &share, &sdq, &sdr, &m2, &m4, &alpha, &density, &curvature, &height})
-      if (j->value.count > 0)
-        CHECK(std::sqrt(j->square.mean()) / j->value.deviation() ==
-              Approx(1).margin(0.1 + 4 * std::sqrt(0.5 / fields)));
-  }
-}
-
-// Of a field with a third of its points missing at random, a slope needs two of them and a curvature nine: 3 % of
-// the points have all. Errors once counted these alone, three times too large for Sdq. 200 fields tell a
-// spread to √(1/400) and the rms of errors of three degrees to as much: four of both, and 10 % for (4).
-TEST_CASE("errors of slopes are those of the points that have slopes, whatever curvatures need",
-          "[derivative-error][statistics]") {
-  const Grid g = grid(72, 64);
-  Spread value, square;
-  for (unsigned seed = 0; seed < 200; ++seed) {
-    const Field z = with_holes(moving_average(g.shape, {4, 3}, seed), 0.33, 1000 + seed);
-    const DerivativeErrors errors(z, g, {300, 1});
-    auto sdq = [](const Derivatives& d) { return d.slopes.sdq; };
-    value.add(slope_parameters(z, g).sdq), square.add(std::pow(errors(sdq), 2));
-  }
-  CHECK(std::sqrt(square.mean()) == Approx(value.deviation()).epsilon(0.1 + 4 * std::sqrt(2 / 400.0)));
-}
-
 // Their sums vanish along the grooves but for rounding.
 TEST_CASE("grooves have errors of slopes across them and none along them", "[derivative-error][law]") {
   for (const bool periodic : {false, true}) {
@@ -227,9 +168,6 @@ Parameters parameters_of(const Field& z, Group group) {
   MeasureOptions options{.groups = {group}};
   options.quantiles = {0.5};
   return measure(Surface{grid(z.rows(), z.cols()), 1e-6 * z}, options);
-}
-const Parameter& named(const Parameters& all, const char* name) {
-  return *std::ranges::find(all, name, &Parameter::name);
 }
 
 }  // namespace
@@ -266,4 +204,134 @@ TEST_CASE("no interval of a kurtosis reaches below 1", "[long-waves][law]") {
   const Parameter& sku = named(heights, "Sku");
   CHECK(sku.value > 100);
   CHECK(sku.interval_95().low >= 1);
+}
+
+// ---- sequence error ----
+
+namespace {
+
+// The k-th longest wave, of amplitude A.
+Eigen::ArrayXd sequence_wave(Index n, Index k, double amplitude, bool periodic = false) {
+  return amplitude * axis_waves(n, periodic, k).col(k).array();
+}
+
+// Means over `window` neighbours of 100 independent values, or a piece of such.
+Eigen::ArrayXd averaged(Index window, unsigned seed, bool periodic) {
+  const Index n = 100;
+  const Eigen::ArrayXd noise = white_noise({1, n + window}, seed).row(0).transpose();
+  return Eigen::ArrayXd::NullaryExpr(n, [&](Index j) {
+    double sum = 0;
+    for (Index k = j; k < j + window; ++k) sum += noise(periodic ? k % n : k);
+    return sum;
+  });
+}
+
+}  // namespace
+
+// One of K waves has all the power A²: SE² = A²/K, ν = K, L = K/(6ν) = 1/6.
+TEST_CASE("the error of a sequence's mean is that of its longest waves", "[sequence-error][exact]") {
+  const Index n = 90;
+  const double amplitude = 0.7;
+  for (const auto& [independent, degrees] : {std::pair{3, 2}, {10, 3}, {20, 6}, {80, 16}}) {
+    const double share = static_cast<double>(independent) / static_cast<double>(n) * (1 + 1e-12);
+    for (const Index k : {1, degrees}) {
+      const SequenceMean m = sequence_mean(5 + sequence_wave(n, k, amplitude), share, false);
+      CAPTURE(independent, k);
+      CHECK(m.degrees == degrees);
+      CHECK(relative_error(m.mean, 5) <= 1e-14);
+      CHECK(relative_error(m.spread, amplitude) <= 1e-13);
+      CHECK(relative_error(m.mean_error, amplitude / std::sqrt(degrees) * 6 / 5) <= 1e-12);
+    }
+    CHECK(sequence_mean(5 + sequence_wave(n, degrees + 1, amplitude), share, false).mean_error <= 1e-12);
+  }
+  const SequenceMean around = sequence_mean(sequence_wave(n, 3, amplitude, true), 10.001 / n, true);
+  CHECK(around.degrees == 4);
+  CHECK(relative_error(around.mean_error, amplitude / 2 * 6 / 5) <= 1e-12);
+  CHECK(std::isnan(sequence_mean(sequence_wave(n, 1, amplitude), 2.99 / n, false).mean_error));
+  CHECK(std::isnan(sequence_mean(Eigen::ArrayXd::Constant(n, NAN), 1, false).mean));
+}
+
+// v² = s² (1 + b u), u the wave of two halves, and v changes its sign in the middle, where u is even: v̄ = 0,
+// f = s b u/2, ν = K, L = 1/6 + 0.6/√K.
+TEST_CASE("the error of a sequence's spread is that of the longest waves of its squares",
+          "[sequence-error][exact]") {
+  const Index n = 90;
+  const double s = 3, b = 0.5, degrees = 16;
+  Eigen::ArrayXd v = s * (1 + sequence_wave(n, 2, b)).sqrt();
+  v.tail(n / 2) *= -1;
+  const SequenceMean m = sequence_mean(v, 80.001 / n, false);
+  CHECK(relative_error(m.spread, s) <= 1e-13);
+  CHECK(relative_error(m.spread_error,
+                       s * b / 2 / std::sqrt(degrees) / (1 - 1.0 / 6 - 0.6 / std::sqrt(degrees))) <= 1e-12);
+}
+
+TEST_CASE("errors of a sequence move with its scale, not with its place, its direction or absent values",
+          "[sequence-error][law]") {
+  const Field z = moving_average({1, 200}, {1, 5}, 3);
+  const Eigen::ArrayXd v = z.row(0).transpose();
+  const SequenceMean m = sequence_mean(v, 0.2, false), moved = sequence_mean(7 - 1e-3 * v, 0.2, false),
+                     back = sequence_mean(v.reverse(), 0.2, false);
+  CHECK(relative_error(moved.mean_error, 1e-3 * m.mean_error) <= 1e-10);
+  CHECK(relative_error(moved.spread_error, 1e-3 * m.spread_error) <= 1e-10);
+  CHECK(relative_error(back.mean_error, m.mean_error) <= 1e-10);
+  // A sequence turned around its period, and one that lacks a value in three.
+  Eigen::ArrayXd turned(200), fewer = v;
+  turned << v.tail(77), v.head(123);
+  CHECK(relative_error(sequence_mean(turned, 0.2, true).mean_error, sequence_mean(v, 0.2, true).mean_error) <=
+        1e-10);
+  for (Index j = 0; j < 200; j += 3) fewer(j) = NAN;
+  const SequenceMean some = sequence_mean(fewer, 0.2, false);
+  CHECK(some.count == 133);
+  CHECK(some.independent == Approx(0.2 * 133).epsilon(1e-14));
+  CHECK(std::abs(std::log(some.mean_error / m.mean_error)) <= 0.5);
+}
+
+// Of n sequences the mean square of the error has the relative deviation √(2/(K n)), that of the true one
+// √(2/n), and the share of intervals √(0.95 · 0.05/n). What (3) takes too little or too much off is within a
+// tenth.
+TEST_CASE("errors of a sequence are the spread over an ensemble, and Student's intervals cover",
+          "[sequence-error][statistics]") {
+  constexpr int sequences = 1000;
+  for (const bool periodic : {false, true})
+    for (const Index window : {1, 4, 10}) {
+      Spread mean, spread;
+      double square = 0, square_of_spread = 0, covered = 0;
+      for (unsigned seed = 0; seed < sequences; ++seed) {
+        const SequenceMean m =
+            sequence_mean(averaged(window, seed, periodic), 1.0 / static_cast<double>(window), periodic);
+        mean.add(m.mean), spread.add(m.spread);
+        square += m.mean_error * m.mean_error / sequences;
+        square_of_spread += m.spread_error * m.spread_error / sequences;
+        covered += std::abs(m.mean) <= student_quantile(0.025, static_cast<double>(m.degrees)) * m.mean_error;
+      }
+      CAPTURE(periodic, window);
+      const double margin = 0.1 + 4 * std::sqrt(0.5 / sequences);
+      CHECK(std::sqrt(square) / mean.deviation() == Approx(1).margin(margin));
+      CHECK(std::sqrt(square_of_spread) / spread.deviation() == Approx(1).margin(margin));
+      CHECK(std::abs(covered / sequences - 0.95) <= 4 * std::sqrt(0.95 * 0.05 / sequences));
+    }
+}
+
+// Lognormal values: a few decide the spread. Of 1000 sequences the covering share is known to 1 %. With the
+// degrees of all independent values it is 85 %.
+TEST_CASE("intervals of the spread of a sequence hold it where heavy tails decide",
+          "[sequence-error][statistics]") {
+  constexpr int sequences = 1000;
+  constexpr Index window = 4;
+  constexpr double per_window = 1.0 / window;
+  Spread spread;
+  std::vector<Interval> intervals;
+  for (unsigned seed = 0; seed < sequences; ++seed) {
+    const Eigen::ArrayXd v = (0.8 * std::sqrt(per_window) * averaged(window, seed, false)).exp();
+    const SequenceMean m = sequence_mean(v, per_window, false);
+    spread.add(m.spread);
+    intervals.push_back(Interval::of_inverse(
+        m.spread, student_quantile(0.025, m.spread_degrees) * m.spread_error / m.spread));
+  }
+  const double truth = spread.mean();
+  const auto covered =
+      std::ranges::count_if(intervals, [&](const Interval& i) { return i.low <= truth && truth <= i.high; });
+  CAPTURE(covered);
+  CHECK(covered >= 880);
+  CHECK(covered <= 980);
 }

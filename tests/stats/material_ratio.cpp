@@ -222,23 +222,3 @@ TEST_CASE("the error of a quantile of independent heights is p(1-p)/phi^2 less t
     CHECK(relative_error(material_height_error(p, {.sq = 2}, size), exact) <= 1e-10);
   }
 }
-
-// 1000 fields: the spread of a spread is 2.2 %, four of them, and 5 % for the terms of second order in the
-// tail, where S_2/(N p) is 5 %.
-TEST_CASE("the errors of quantiles are their spread over an ensemble of correlated fields",
-          "[material-ratio][statistics]") {
-  const Shape window{4, 4};
-  const Grid g = grid(56, 56);
-  const EffectiveSampleSize size(triangular_correlation(window), g);
-  std::array<double, 4> shares{0.05, 0.2, 0.5, 0.9};
-  std::array<Spread, 4> seen;
-  for (unsigned seed = 0; seed < 1000; ++seed) {
-    const Field z = moving_average(g.shape, window, seed);
-    const MaterialRatioCurve curve(z - z.mean());
-    for (std::size_t s = 0; s < shares.size(); ++s) seen[s].add(curve.height(shares[s]));
-  }
-  for (std::size_t s = 0; s < shares.size(); ++s) {
-    CAPTURE(shares[s]);
-    CHECK(seen[s].deviation() == Approx(material_height_error(shares[s], {.sq = 1}, size)).epsilon(0.14));
-  }
-}

@@ -33,7 +33,7 @@ long double mean_power(const std::vector<double>& heights, long double level, in
   return sum / static_cast<long double>(heights.size());
 }
 
-Field plane(const Grid& g, double a, double b, double c = 0) {
+Field tilted_plane(const Grid& g, double a, double b, double c = 0) {
   return sample(g, [=](double x, double y) { return c + a * x + b * y; });
 }
 
@@ -82,7 +82,8 @@ TEST_CASE("the material ratio curve and the histogram hold the heights that are 
 TEST_CASE("a tilted plane with holes has the slope and the area of the plane", "[missing][exact]") {
   for (const bool single : {false, true}) {
     const Grid g{{17, 23}, 0.5, 0.25, false};
-    const Field z = single ? Field(plane(g, 0.3, 0.7)) : with_holes(plane(g, 0.3, 0.7), 0.2, 205);
+    const Field z =
+        single ? Field(tilted_plane(g, 0.3, 0.7)) : with_holes(tilted_plane(g, 0.3, 0.7), 0.2, 205);
     const SlopeParameters p = slope_parameters(z, g);
     CHECK(std::abs(p.sdq - std::hypot(0.3, 0.7)) <= 200 * epsilon);
     CHECK(std::abs(p.sdr - (std::sqrt(1 + 0.3 * 0.3 + 0.7 * 0.7) - 1)) <= 200 * epsilon);
@@ -156,8 +157,8 @@ TEST_CASE("a polynomial with holes is taken away whole, and leaves the same of a
   }
   // Normal equations: what is left is at right angles to every term, over the points that are there.
   const Field left = zero_filled(remove_form(rough, 2));
-  for (const auto& term :
-       {plane(g, 0, 0, 1), plane(g, 1, 0), plane(g, 0, 1), Field(plane(g, 1, 0) * plane(g, 0, 1))})
+  for (const auto& term : {tilted_plane(g, 0, 0, 1), tilted_plane(g, 1, 0), tilted_plane(g, 0, 1),
+                           Field(tilted_plane(g, 1, 0) * tilted_plane(g, 0, 1))})
     CHECK(std::abs((left * term).sum()) <= 1e4 * epsilon);
 }
 

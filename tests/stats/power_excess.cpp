@@ -85,39 +85,6 @@ TEST_CASE("an excess is what long waves say beyond Gaussian heights of the same 
   }
 }
 
-// Of 400 fields the true error is known to √(2/400)/2 = 3.5 %, and more where points are not Gaussian (a kurtosis
-// of 5 makes it 5 %): three of these, and a tenth for what long waves lose. Without the excess the errors of
-// the skewed fields are 0.4 to 0.8 of the true ones.
-TEST_CASE("spectra of skewed heights stray by their errors with the excess, not without it",
-          "[power-excess][statistics][slow]") {
-  const Grid g = grid(80, 80);
-  constexpr DataWindows hann{};
-  const std::array<std::size_t, 3> at{3, 10, 25};
-  std::array<Spread, 6> value, with, without;
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    const Field z = skewed(g.shape, seed);
-    std::vector<SpectrumPoint> rows = profile_spectrum(z, g, Axis1D::x, DataWindow::hann),
-                               rings = radial_spectrum(power_spectrum(z, g, hann), g, shared_power(z, hann));
-    auto add = [&](std::array<Spread, 6>& to) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        to[k].add(std::pow(rows[at[k]].standard_error, 2));
-        to[3 + k].add(std::pow(rings[at[k]].standard_error, 2));
-      }
-    };
-    add(without);
-    add_excess(rows, profile_excess(z, g, Axis1D::x, DataWindow::hann, {400, 1}));
-    add_excess(rings, radial_excess(z, g, hann, {400, 1}));
-    add(with);
-    for (std::size_t k = 0; k < 3; ++k)
-      value[k].add(rows[at[k]].density), value[3 + k].add(rings[at[k]].density);
-  }
-  for (std::size_t k = 0; k < 6; ++k) {
-    CAPTURE(k, std::sqrt(without[k].mean()) / value[k].deviation());
-    CHECK(std::sqrt(with[k].mean()) / value[k].deviation() == Approx(1).margin(0.25));
-    if (k % 3 == 2) CHECK(std::sqrt(without[k].mean()) / value[k].deviation() <= 0.85);
-  }
-}
-
 // Chance leaves max(0, x) of a difference x of mean 0 with the relative spread √(2/7) of 7 waves: 0.21 of the
 // Gaussian variance of the mean itself, which is far below that of a ring.
 TEST_CASE("Gaussian heights have next to no excess", "[power-excess][statistics]") {

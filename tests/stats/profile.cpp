@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "fields.hpp"
+#include "named.hpp"
 #include "stats/measure.hpp"
 #include "stats/measure/groups.hpp"
 #include "stats/sample/quantiles.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double whole = std::numeric_limits<double>::infinity();
 
-Eigen::ArrayXd wave(int points, int periods, double amplitude, double phase = 0.5) {
+Eigen::ArrayXd profile_wave(int points, int periods, double amplitude, double phase = 0.5) {
   return Eigen::ArrayXd::NullaryExpr(points * periods, [=](Index i) {
     return amplitude * std::sin(2 * std::numbers::pi * (static_cast<double>(i) + phase) / points);
   });
@@ -31,7 +32,7 @@ TEST_CASE(
     "[profile][exact]") {
   const double A = 3e-6, step = 0.5e-6;
   for (int points : {10, 30, 90}) {
-    const ProfileParameters p = profile_parameters(wave(points, 6, A), step, whole, false);
+    const ProfileParameters p = profile_parameters(profile_wave(points, 6, A), step, whole, false);
     CAPTURE(points);
     CHECK(relative_error(p[profile_a], 2 * A / points / std::sin(std::numbers::pi / points)) <= 1e-13);
     CHECK(relative_error(p[profile_q], A / std::numbers::sqrt2) <= 1e-14);
@@ -43,10 +44,12 @@ TEST_CASE(
     CHECK(relative_error(p[profile_t], 2 * A) <= 1e-13);
     CHECK(relative_error(p[profile_sm], points * step) <= 1e-13);
   }
-  const double few =
-                   profile_parameters(wave(32, 1, 1), 1, whole, false)[profile_a] * std::numbers::pi / 2 - 1,
-               many =
-                   profile_parameters(wave(64, 1, 1), 1, whole, false)[profile_a] * std::numbers::pi / 2 - 1;
+  const double few = profile_parameters(profile_wave(32, 1, 1), 1, whole, false)[profile_a] *
+                         std::numbers::pi / 2 -
+                     1,
+               many = profile_parameters(profile_wave(64, 1, 1), 1, whole, false)[profile_a] *
+                          std::numbers::pi / 2 -
+                      1;
   CHECK(observed_order(few, many) == Approx(2).margin(0.01));
 }
 
@@ -56,7 +59,7 @@ TEST_CASE("Rdq of a sine is its slope times (45 sin u - 9 sin 2u + sin 3u)/(30u)
     const double u = 2 * std::numbers::pi / points, step = 0.25;
     const double factor = (45 * std::sin(u) - 9 * std::sin(2 * u) + std::sin(3 * u)) / (30 * u);
     const double slope = 2 * u / step / std::numbers::sqrt2;
-    CHECK(relative_error(profile_parameters(wave(points, 3, 2), step, whole, true)[profile_dq],
+    CHECK(relative_error(profile_parameters(profile_wave(points, 3, 2), step, whole, true)[profile_dq],
                          slope * factor) <= 1e-13);
     CHECK(std::abs((1 - factor) * 140 / std::pow(u, 6) - 1) <= u * u / 3);
   }
@@ -85,9 +88,10 @@ TEST_CASE("Rp, Rv and Rz are means over whole sections, Rt is that of the whole 
 
 // A ripple of a fiftieth of the amplitude crosses the mean line many times, but makes no hill.
 TEST_CASE("RSm does not count what stays within a tenth of Rz of the mean line", "[profile][law]") {
-  const Eigen::ArrayXd smooth = wave(200, 8, 1), rippled = smooth + wave(8, 200, 0.02).head(1600);
+  const Eigen::ArrayXd smooth = profile_wave(200, 8, 1),
+                       rippled = smooth + profile_wave(8, 200, 0.02).head(1600);
   CHECK(relative_error(profile_parameters(rippled, 1, whole, false)[profile_sm], 200) <= 1e-3);
-  const Eigen::ArrayXd mixed = wave(200, 8, 1) + wave(40, 40, 1.4);
+  const Eigen::ArrayXd mixed = profile_wave(200, 8, 1) + profile_wave(40, 40, 1.4);
   const double there = profile_parameters(mixed, 1, whole, false)[profile_sm],
                back = profile_parameters(mixed.reverse(), 1, whole, false)[profile_sm];
   CHECK(there <= 60);
@@ -95,10 +99,10 @@ TEST_CASE("RSm does not count what stays within a tenth of Rz of the mean line",
 }
 
 TEST_CASE("points that a profile lacks are left out, and no element reaches over them", "[profile][exact]") {
-  Eigen::ArrayXd z = wave(20, 8, 1);
+  Eigen::ArrayXd z = profile_wave(20, 8, 1);
   z.segment(63, 20).setConstant(std::nan(""));  // a period, so that the mean and the sums are those of seven
   const ProfileParameters p = profile_parameters(z, 1, whole, false),
-                          full = profile_parameters(wave(20, 7, 1), 1, whole, false);
+                          full = profile_parameters(profile_wave(20, 7, 1), 1, whole, false);
   CHECK(relative_error(p[profile_q], full[profile_q]) <= 1e-13);
   CHECK(relative_error(p[profile_a], full[profile_a]) <= 1e-13);
   CHECK(relative_error(p[profile_sm], 20) <= 1e-13);
@@ -111,7 +115,8 @@ TEST_CASE("points that a profile lacks are left out, and no element reaches over
 TEST_CASE("profiles that are straight to round-off have no heights", "[profile][contract]") {
   Field z = white_noise({1, 60}, 3).replicate(40, 1);
   for (const int degree : {0, 2}) {
-    const Surface surface = prepared({.grid = grid(40, 60), .heights = 1e-7 * z}, {.form = {.degree = degree}});
+    const Surface surface =
+        prepared({.grid = grid(40, 60), .heights = 1e-7 * z}, {.form = {.degree = degree}});
     const Sample sample(surface);
     for (const Parameter& p : profile_averages(sample, {.profiles = Axis1D::x})) {
       CAPTURE(degree, p.name, p.value);
@@ -137,47 +142,11 @@ TEST_CASE("averages are over the profiles along one axis, and do not change when
   CHECK_THROWS_AS(average_profiles(z, grid(60, 7), Axis1D::x, 61, rho), ParameterError);
 }
 
-// 300 fields of 60 profiles each, of which some 15 are independent: the mean square of the errors of n fields has
-// the relative deviation √(2/(K n)), that of the true one √(2/n). What their theory takes too little or too much
-// off is within a tenth (stats/uncertainty/sequence_error.hpp). Few-element PSm and Pku have long tails.
-TEST_CASE(
-    "a mean over profiles and a spread stray over an ensemble by their standard errors, which single "
-    "profiles "
-    "would halve",
-    "[profile][statistics]") {
-  const Shape window{4, 6};
-  const Grid g = grid(100, 60);
-  const LagField rho = triangular_correlation(window);
-  constexpr int fields = 300;
-  Spread means[profile_parameters_count], spreads[profile_parameters_count];
-  double errors[profile_parameters_count] = {}, of_spreads[profile_parameters_count] = {}, naive = 0;
-  for (unsigned seed = 0; seed < fields; ++seed) {
-    const ProfileAverages averages =
-        average_profiles(moving_average(g.shape, window, 9000 + seed), g, Axis1D::x, 25, rho);
-    for (std::size_t k = 0; k < profile_parameters_count; ++k) {
-      means[k].add(averages.of[k].mean), spreads[k].add(averages.of[k].spread);
-      errors[k] += std::pow(averages.of[k].mean_error, 2) / fields;
-      of_spreads[k] += std::pow(averages.of[k].spread_error, 2) / fields;
-    }
-    naive += averages.of[profile_q].spread / std::sqrt(60) / fields;
-  }
-  const double margin = 0.1 + 4 * std::sqrt(0.5 / fields);
-  for (std::size_t k = 0; k < profile_parameters_count; ++k) {
-    CAPTURE(k);
-    CHECK(std::sqrt(errors[k]) / means[k].deviation() == Approx(1).margin(margin));
-    CHECK(std::sqrt(of_spreads[k]) / spreads[k].deviation() == Approx(1).margin(margin));
-  }
-  CHECK(naive <= 0.6 * means[profile_q].deviation());
-}
-
 namespace {
 
-Parameters parameters_of(const Field& z, const LagField& rho) {
+Parameters parameters_of_profiles(const Field& z, const LagField& rho) {
   return measure(Surface{.grid = grid(z.rows(), z.cols()), .heights = 1e-6 * z, .correlation = rho},
                  {.groups = {Group::profiles}});
-}
-const Parameter& named(const Parameters& all, const std::string& name) {
-  return *std::ranges::find(all, name, &Parameter::name);
 }
 
 }  // namespace
@@ -186,7 +155,7 @@ TEST_CASE("parameters of profiles have Student's intervals, if three profiles ar
           "[profile][contract]") {
   const LagField rho = triangular_correlation({4, 6});
   const Field z = moving_average({100, 60}, {4, 6}, 4);
-  const Parameters all = parameters_of(z, rho);
+  const Parameters all = parameters_of_profiles(z, rho);
   const ProfileAverages averages = average_profiles(z, grid(100, 60), Axis1D::x, whole, rho);
   const double t_of_mean = student_quantile(0.025, static_cast<double>(averages.of[profile_q].degrees)),
                t_of_spread = student_quantile(0.025, averages.of[profile_sm].spread_degrees);
@@ -206,7 +175,8 @@ TEST_CASE("parameters of profiles have Student's intervals, if three profiles ar
   const Field few = z.leftCols(8), equal = sine({60, 7}, 2, 3);
   for (const auto& [of, why] :
        {std::pair{few, "profiles are independent, fewer than 3"}, {equal, "it is the same in all profiles"}})
-    for (const Parameter& p : parameters_of(of, of.rows() == 60 ? triangular_correlation({1, 1}) : rho)) {
+    for (const Parameter& p :
+         parameters_of_profiles(of, of.rows() == 60 ? triangular_correlation({1, 1}) : rho)) {
       if (p.name.starts_with("profiles")) continue;
       CAPTURE(p.name, p.why);
       CHECK(std::isnan(p.standard_error));
@@ -217,7 +187,7 @@ TEST_CASE("parameters of profiles have Student's intervals, if three profiles ar
 TEST_CASE("no interval of a kurtosis of profiles reaches below 1", "[profile][law]") {
   Field z = moving_average({96, 6}, {4, 1}, 2);
   z(40, 3) = 1000;
-  const Parameter pku = named(parameters_of(z, triangular_correlation({4, 1})), "Pku");
+  const Parameter pku = named(parameters_of_profiles(z, triangular_correlation({4, 1})), "Pku");
   CHECK(pku.value > 10);
   CHECK(pku.interval_95().low >= 1);
 }

@@ -147,39 +147,6 @@ TEST_CASE("95 % intervals of shares of a correlated part of a field cover the tr
   }
 }
 
-// Of 300 fields the mean square of the error has the relative deviation √(2/(12 · 300)), that of the true one
-// √(2/300): 4 % of the ratio, three of these, and a tenth for what (4) of long_waves.hpp takes off too little
-// or too much. Without (1) the errors of bins and densities about ±1 are 1.5 and more times the true ones.
-TEST_CASE("bins and densities of heights from their own mean stray by their errors",
-          "[share-error][statistics]") {
-  const Grid g = grid(96, 80);
-  constexpr double h = 0.2;
-  for (const bool skewed : {false, true}) {
-    std::vector<Spread> value(8), square(8);
-    for (unsigned seed = 0; seed < 300; ++seed) {
-      Field z = moving_average(g.shape, {5, 4}, seed);
-      if (skewed) z = (0.4 * z).exp() / 0.5;
-      z -= mean(z);
-      const FieldExtent extent{700, 0.96};
-      const double sq = std::sqrt(z.square().mean());
-      std::vector<Bin> bins = histogram(z, 40, HeightRange{-20, 20});
-      set_errors(bins, z, g, extent, sq);
-      std::vector<DensityPoint> curve = kernel_density(z, h, 41, HeightRange{3 * h - 20, 20 - 3 * h});
-      set_errors(curve, z, g, extent, h, sq);
-      for (std::size_t k = 0; k < 4; ++k) {
-        value[k].add(bins[18 + k].share.value), square[k].add(std::pow(bins[18 + k].share.error, 2));
-        if (k == 3) continue;
-        value[4 + k].add(curve[19 + k].density),
-            square[4 + k].add(std::pow(curve[19 + k].frequency.error, 2));
-      }
-    }
-    for (std::size_t k = 0; k < 7; ++k) {
-      CAPTURE(skewed, k);
-      CHECK(std::sqrt(square[k].mean()) / value[k].deviation() == Approx(1).margin(0.22));
-    }
-  }
-}
-
 // Two populations of steep flanks, z = 0.4 y + tanh 4y: the mean of a field strays over a flank, whose slope
 // changes there. Of 300 fields the covering share is known to 1.3 %; with one slope over ± 2e alone it is 86 %.
 TEST_CASE("shares beside a flank of the distribution hold as the mean strays over it",

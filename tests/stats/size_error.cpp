@@ -5,8 +5,12 @@
 #include <gsl/gsl_cdf.h>
 
 #include "fields.hpp"
+#include "marginal/johnson.hpp"
+#include "named.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/measure.hpp"
+#include "stats/uncertainty/moment_interval.hpp"
+#include "stats/uncertainty/translation_error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -17,48 +21,9 @@ Sample sample_of(const Field& z, bool periodic = false) {
   return Sample({.grid = grid(z.rows(), z.cols(), periodic), .heights = remove_form(z)});
 }
 
-Parameter named(const Parameters& all, const std::string& name) {
-  for (const Parameter& p : all)
-    if (p.name == name) return p;
-  throw std::runtime_error(name);
-}
-
 Parameters heights_of(const Sample& sample) { return measure(sample, Group::height, {}); }
 
 }  // namespace
-
-// 200 fields of N/S_2 = 410 and their exponentials: a spread is known to 1/√400 = 5 %, of skewed sums to 10 %; the
-// rms error, of K = 7 squares each, to 4 %. Waves lose up to a tenth, and what (1) adds for it is empirical.
-TEST_CASE("errors of effective sample sizes are those of simulated fields, Gaussian or not",
-          "[size-error][statistics][slow]") {
-  const Shape window{6, 5};
-  for (const bool lognormal : {false, true}) {
-    Spread found[3];
-    double squares[3] = {}, covered[3] = {}, mean[3] = {};
-    std::vector<std::array<Interval, 3>> intervals;
-    for (unsigned f = 0; f < 200; ++f) {
-      Field z = moving_average({96, 80}, window, 4000 + f);
-      if (lognormal) z = (0.4 * z).exp();
-      const Sample sample = sample_of(z);
-      const auto errors = sample.size_errors();
-      REQUIRE(errors);
-      auto& of = intervals.emplace_back();
-      for (int k = 2; k <= 4; ++k) {
-        const auto i = static_cast<std::size_t>(k - 2);
-        found[i].add(sample.size().effective(k));
-        mean[i] += sample.size().effective(k) / 200;
-        squares[i] += std::pow((*errors)(k), 2) / 200;
-        of[i] = errors->interval(k);
-      }
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (const auto& of : intervals) covered[i] += (of[i].low <= mean[i] && mean[i] <= of[i].high) / 200.0;
-      CAPTURE(lognormal, i + 2, covered[i], mean[i]);
-      CHECK(std::sqrt(squares[i]) == Approx(found[i].deviation()).epsilon(0.25));
-      CHECK(covered[i] >= 0.95 - 4 * std::sqrt(0.05 * 0.95 / 200));
-    }
-  }
-}
 
 // S_k does not know the unit, and a wave is a sum of products: a power of two is exact.
 TEST_CASE("errors of effective sample sizes do not depend on the unit of the heights", "[size-error][law]") {
@@ -139,4 +104,71 @@ TEST_CASE("sizes of white noise have no error, and say why", "[size-error][contr
     CHECK(std::isnan(p.standard_error));
     CHECK(p.why == "no standard error: neighbours are hardly correlated");
   }
+}
+
+// ---- translation error ----
+
+// Both are the same sums; Sa's series is cut at 512 orders in both.
+TEST_CASE("the errors of a translation that is none are those of a Gaussian field",
+          "[translation-error][exact]") {
+  const EffectiveSampleSize size(triangular_correlation({7, 4}), grid(100, 80));
+  const Moments m{.mean = 7, .sa = 1.6, .sq = 2, .ssk = 0.1, .sku = 3.1};
+  const MomentErrors gaussian = standard_errors(m, size),
+                     translated = TranslationErrors(johnson_translation(0, 3), size).standard_errors(m.sq);
+  CHECK(relative_error(translated.mean, gaussian.mean) <= 1e-10);
+  CHECK(relative_error(translated.sq, gaussian.sq) <= 1e-10);
+  CHECK(relative_error(translated.ssk, gaussian.ssk) <= 1e-10);
+  CHECK(relative_error(translated.sku, gaussian.sku) <= 1e-10);
+  const TranslationErrors errors(johnson_translation(0, 3), size);
+  CHECK(std::abs(errors.ssk_bias()) <= 1e-15);
+  CHECK(relative_error(errors.sku_bias(), -6 / size.effective(2)) <= 1e-10);
+  // The corner of |g| at 0 costs the quadrature a step squared over 24.
+  CHECK(relative_error(translated.sa, gaussian.sa) <= 2e-3);
+}
+
+// All S_k are 1, and (2) is E[f²]: for Sq (K - 1)/4, and σ² for the mean.
+TEST_CASE("independent heights have the textbook's error of Sq, by their kurtosis",
+          "[translation-error][exact]") {
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(50, 80));
+  for (double kurtosis : {2.4, 5.0, 9.0}) {
+    const MomentErrors error = TranslationErrors(johnson_translation(-1, kurtosis), size).standard_errors(3);
+    CHECK(relative_error(error.mean, 3 / std::sqrt(4000)) <= 1e-9);
+    CHECK(relative_error(error.sq, 1.5 * std::sqrt((kurtosis - 1) / 4000)) <= 1e-6);
+  }
+}
+
+TEST_CASE("the correlation of translated heights gives back that of the field below",
+          "[translation-error][exact]") {
+  const CorrelationMap map(johnson_translation(-1.3, 6));
+  const LagField rho = triangular_correlation({5, 5}), heights = rho.mapped([&](double r) { return map(r); });
+  CHECK((underlying_correlation(heights, map).half_plane() - rho.half_plane()).abs().maxCoeff() <= 1e-10);
+}
+
+TEST_CASE("heights are taken for Gaussian until four standard errors speak against it",
+          "[translation-error][contract]") {
+  const MomentErrors gaussian{.ssk = 0.05, .sku = 0.1};
+  CHECK_FALSE(evident_translation({.ssk = 0.19, .sku = 3.39}, gaussian));
+  const auto skewed = evident_translation({.ssk = -0.5, .sku = 3.5}, gaussian);
+  REQUIRE(skewed);
+  CHECK(std::abs(height_moments(*skewed).skewness + 0.5) <= 1e-9);
+  CHECK(std::abs(height_moments(*skewed).kurtosis - 3.5) <= 1e-9);
+  // Two values, which no distribution of the system has exactly.
+  const auto steps = evident_translation({.ssk = 0, .sku = 1}, gaussian);
+  REQUIRE(steps);
+  CHECK(height_moments(*steps).kurtosis <= 1.05);
+  CHECK(evident_translation({.ssk = 200, .sku = 5e4}, gaussian));
+}
+
+// Of the Gaussian law the intervals differ in what Fisher's variances add in the second order, 10/N of the
+// width. N is not 10⁴, where the quantiles of χ² pass from one formula to another, 2e-8 apart.
+TEST_CASE("an interval of a translation that is none is that of a Gaussian field",
+          "[translation-error][exact]") {
+  const EffectiveSampleSize size(triangular_correlation({1, 1}), grid(110, 100));
+  const Moments m{.mean = 7, .sa = 1.5, .sq = 2, .ssk = 0.3, .sku = 2.5};
+  const MomentIntervals a = confidence_intervals(m, TranslationErrors(johnson_translation(0, 3), size), size),
+                        b = confidence_intervals(m, size);
+  CHECK(relative_error(a.mean.high, b.mean.high) <= 1e-10);
+  CHECK(relative_error(a.sq.low, b.sq.low) <= 1e-10);
+  CHECK(std::abs(a.ssk.low - b.ssk.low) <= 1e-3 * (b.ssk.high - b.ssk.low));
+  CHECK(std::abs(a.sku.high - b.sku.high) <= 1e-3 * (b.sku.high - b.sku.low));
 }

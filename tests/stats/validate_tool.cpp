@@ -12,18 +12,18 @@ using Json = nlohmann::json;
 
 namespace {
 
-const Shape window{5, 3};
+const Shape validated_window{5, 3};
 
 // e_0.nc … e_5.nc: `sq` of moving average over 5 × 3 points, with the target of 0.4 µm over those lags.
 void write_ensemble(double sq, double spacing = 20e-6, double step = 0) {
   const Grid grid{{72, 64}, spacing, spacing, false};
-  const LagField rho = triangular_correlation(window);
+  const LagField rho = triangular_correlation(validated_window);
   const Field target =
       Field::NullaryExpr(7, 9, [&](Index p, Index column) { return 0.16e-12 * rho(p, column - 4); });
   for (unsigned m = 0; m < 6; ++m) {
     Dataset data;
     set_grid(data, grid);
-    Field z = sq * moving_average(grid.shape, window, 50 + m);
+    Field z = sq * moving_average(grid.shape, validated_window, 50 + m);
     if (step > 0) z = step * (z / step).round();
     set_field(data, "heights", z, {"m", "heights"});
     set_table(data, "acf_target", target, {"p", 0, spacing, "m"}, {"q", -4, spacing, "m"},

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/words.hpp"
-#include "stats/sample/proportions.hpp"
+#include "stats/sample/moments.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {

@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/filter/resampling.hpp"
-#include "stats/filter/rotation.hpp"
 #include "stats/filter/seam.hpp"
 #include "tools/cli/grid_words.hpp"
 #include "tools/filter/chain.hpp"

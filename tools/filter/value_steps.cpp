@@ -9,11 +9,9 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "stats/filter/fill.hpp"
-#include "stats/filter/median_filter.hpp"
-#include "stats/filter/morphology.hpp"
 #include "stats/filter/outliers.hpp"
-#include "stats/height/height_steps.hpp"
+#include "stats/filter/morphology.hpp"
+#include "stats/height/distribution.hpp"
 #include "tools/filter/chain.hpp"
 #include "tools/measure/preparation_words.hpp"
 

@@ -35,12 +35,13 @@ void StatsOptions::declare(Tool& tool) {
   for (const auto& [name, group] : group_names) words.emplace_back(name);
   tool.words(
       "--parameters", groups, words,
-      "Groups of parameters to print, or all. height: Sa, Sq, Ssk, Sku, Sp, Sv, Sz and effective sample "
-      "sizes; gaussianity: the tests of Jarque-Bera, Kolmogorov-Smirnov, Anderson-Darling and Pearson, with "
-      "p-values that allow for the correlation of the heights, and naive ones; material: Sk, Spk, Svk, Smr1, "
-      "Smr2, Vmp, Vmc, Vvc, Vvv; hybrid: Sdq, Sdr, spectral moments, summits, of a single row or column "
-      "spectral moments and peaks; spatial: Sal, Str, Std, "
-      "ellipticity",
+      "Groups of parameters to print, or all. height: " + symbols(Group::height) +
+          " and effective sample sizes; gaussianity: the tests of Jarque-Bera, Kolmogorov-Smirnov, "
+          "Anderson-Darling and Pearson, with p-values that allow for the correlation of the heights, and "
+          "naive ones; material: " +
+          symbols(Group::material) + "; hybrid: " + symbols(Group::hybrid) +
+          ", spectral moments, summits, of a single row or column spectral moments and peaks; spatial: Sal, "
+          "Str, Std, ellipticity",
       "Parameters");
   tool.choice(
       "--profile", profile, {"x", "y"},

@@ -5,7 +5,6 @@
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "stats/height/distribution.hpp"
-#include "stats/height/height_steps.hpp"
 #include "stats/measure/sample.hpp"
 #include "tools/measure/height_tables.hpp"
 #include "tools/plot/source.hpp"
