@@ -1,5 +1,5 @@
-/// What someone meant who wrote an option that a tool does not have: one of its former name, one of another
-/// tool, or one that is spelt nearly so. docs/options.md lists all options and the former names.
+/// What a user meant by an option that the tool does not have: one of another tool, or one spelt nearly so.
+/// docs/options.md lists all options.
 #pragma once
 
 #include <string>
