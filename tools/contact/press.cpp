@@ -7,7 +7,7 @@
 
 #include "contact/influence.hpp"
 #include "contact/stiffness.hpp"
-#include "tools/cli/grid_words.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/contact/resolution.hpp"
 
 namespace asperity::cli {

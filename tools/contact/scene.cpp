@@ -8,10 +8,9 @@
 #include "contact/hertz.hpp"
 #include "contact/influence.hpp"
 #include "dataset/layout.hpp"
-#include "tools/cli/grid_words.hpp"
-#include "tools/cli/heights_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/record.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/contact/figures.hpp"
 #include "tools/contact/resolution.hpp"
 
@@ -71,7 +70,7 @@ Periodic periodic(const ContactOptions& o, const Grid& grid) {
 
 // Of the rows of this rank; the first one has all.
 Field with_doubts(const Tool& tool, Field heights, const Grid& grid) {
-  if (tool.speaks())
+  if (tool.is_first_rank())
     warn_of_heights(tool, Proportions(heights, grid), "m", "asperity-filter --remove-form plane");
   return heights;
 }
