@@ -10,10 +10,10 @@
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
 #include "formats/vti.hpp"
-#include "tools/cli/heights_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/convert/map_options.hpp"
 

@@ -3,9 +3,9 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "tools/cli/ensemble_input.hpp"
-#include "tools/cli/heights_words.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/filter/chain.hpp"
 #include "tools/measure/preparation_words.hpp"
 

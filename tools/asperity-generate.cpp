@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "dataset/unread.hpp"
+#include "tools/cli/file_identity.hpp"
 #include "tools/cli/ordered_work.hpp"
-#include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/surface/drawing.hpp"
 #include "tools/surface/generate_options.hpp"
@@ -24,7 +24,7 @@ std::size_t standing(const Dataset& base, int copies) {
 int drawn_at_once(const cli::Tool& tool, const cli::GenerateOptions& o, const Field& kernel) {
   if (o.count == 1) return 1;
   for (int k = 0; k < o.count; ++k)
-    if (cli::place_of(o.output_name(tool, k)).kind != cli::Place::Kind::file) return 1;
+    if (!cli::replaces_file(o.output_name(tool, k))) return 1;
   const Shape noise = o.periodic ? o.shape : Shape{o.shape.nx + kernel.rows(), o.shape.ny + kernel.cols()};
   return std::min(o.count, cli::datasets_at_once(tool, noise));
 }

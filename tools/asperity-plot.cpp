@@ -8,9 +8,9 @@
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
-#include "tools/cli/heights_words.hpp"
-#include "tools/cli/place.hpp"
+#include "tools/cli/file_identity.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/plot/figure.hpp"
 #include "tools/plot/table.hpp"
@@ -106,8 +106,7 @@ std::string extension_of(const std::string& output) {
 
 // From the file's name, or from --to for standard output, pipes and devices.
 std::string format_of(const Options& o) {
-  const bool stream = cli::place_of(o.output).kind != cli::Place::Kind::file,
-             given = stream && !o.request.format.empty();
+  const bool stream = !cli::replaces_file(o.output), given = stream && !o.request.format.empty();
   const std::string format = given ? o.request.format : extension_of(o.output);
   if (format == "png" || format == "svg" || format == "pdf") {
     if (!stream && !o.request.format.empty() && o.request.format != format)

@@ -10,8 +10,8 @@
 #include "stats/measure.hpp"
 #include "stats/measure/spectra.hpp"
 #include "tools/cli/ensemble_table.hpp"
-#include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 

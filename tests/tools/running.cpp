@@ -260,7 +260,7 @@ TEST_CASE("a tool that finds the terminal taken draws nothing, and its messages 
              Catch::Matchers::StartsWith(wiped + "asperity-stats: "));
 }
 
-TEST_CASE("the time left is told when it can be, counts down, and rises when it is clearly too short",
+TEST_CASE("the time left is shown when it can be, counts down, and rises when it is clearly too short",
           "[progress][law]") {
   asperity::cli::TimeLeft steady;
   steady.start(5, 0.2);

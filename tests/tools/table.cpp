@@ -1,3 +1,5 @@
+#include "tools/cli/table.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -6,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "support.hpp"
-#include "tools/cli/table.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
 
@@ -103,7 +104,7 @@ TEST_CASE("rows with units of their own are rounded to their standard error", "[
         "all                    -               -     0.50000\n");
 }
 
-TEST_CASE("a value beside its error ends where the second digit of the error ends, and so does its interval",
+TEST_CASE("a value with an error ends where the second digit of the error ends, and so does its interval",
           "[table][exact]") {
   const double unknown = std::nan("");
   const Table rows{{{"count", "1"},

@@ -31,12 +31,9 @@ std::size_t widest(const Words& texts) {
   return out;
 }
 
-std::string on_the_left(const std::string& text, std::size_t width) {
-  return text + std::string(width - std::min(width, width_of(text)), ' ');
-}
-
-std::string on_the_right(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, width_of(text)), ' ') + text;
+std::string padded(const std::string& text, std::size_t width, bool on_the_right) {
+  const std::string blanks(width - std::min(width, width_of(text)), ' ');
+  return on_the_right ? blanks + text : text + blanks;
 }
 
 // Broken at blanks into lines of `width`; a longer word has a line of its own.
@@ -69,9 +66,7 @@ struct Shown {
     lines.insert(lines.begin(), heading);
     width = widest(lines);
   }
-  std::string at(std::size_t line) const {
-    return right ? on_the_right(lines[line], width) : on_the_left(lines[line], width);
-  }
+  std::string at(std::size_t line) const { return padded(lines[line], width, right); }
 };
 
 std::size_t total(const std::vector<Shown>& columns) {
@@ -95,9 +90,10 @@ constexpr int least_place = -4;         // of a first digit that follows zeros
 // where that leaves each at least four.
 class Digits {
  public:
-  explicit Digits(const std::vector<double>& numbers) {
+  Digits(const Table& table, std::size_t column, double unit) {
     double least = INFINITY, largest = 0;
-    for (const double x : numbers) {
+    for (const auto& row : table.rows) {
+      const double x = std::get<double>(row[column]) / unit;
       if (!std::isfinite(x)) continue;
       whole_ = whole_ && x == std::round(x) && std::abs(x) < largest_count;
       if (x != 0) least = std::min(least, std::abs(x));
@@ -165,36 +161,34 @@ std::optional<std::size_t> value_with_error(const std::vector<Column>& columns, 
   return c > 0 && is_error(c) ? std::optional(c - 1) : std::nullopt;
 }
 
-Shown words_in(const Table& table, std::size_t column, const std::vector<Scale>& rows) {
-  const bool units = table.columns[column].name == "unit";
+// Of a number that ends where an error ends.
+std::optional<Scale> scale_of_error(const Table& table, std::size_t r, std::size_t c, const Unit& unit) {
+  const auto number = [&](std::size_t column) { return std::get<double>(table.rows[r][column]); };
+  const std::optional<std::size_t> value = value_with_error(table.columns, c);
+  if (!value || std::isnan(number(c)) || number(c) == std::round(number(c))) return std::nullopt;
+  const Scale out = scale_for(number(*value), number(*value + 1), unit);
+  return out.places && std::isfinite(number(*value)) ? std::optional(out) : std::nullopt;
+}
+
+Shown words_in(const Table& table, std::size_t c, const std::vector<Scale>& rows) {
+  const std::string& name = table.columns[c].name;
   Words texts;
   for (std::size_t r = 0; r < table.rows.size(); ++r)
-    texts.push_back(units ? one_line(rows[r].unit.name) : text_of(table.rows[r][column]));
-  return {one_line(table.columns[column].name), std::move(texts)};
+    texts.push_back(name == "unit" ? one_line(rows[r].unit.name) : text_of(table.rows[r][c]));
+  return {one_line(name), std::move(texts)};
 }
 
-Shown numbers_in_rows(const Table& table, std::size_t column, const std::vector<Scale>& rows) {
+Shown numbers_in(const Table& table, std::size_t c, const std::vector<Scale>& rows, const Unit& unit) {
+  const bool in_rows = table.columns[c].unit == "SI" && !rows.empty();
+  const Digits digits(table, c, unit.factor);
   Words texts;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    texts.push_back(rows[r].plain(std::get<double>(table.rows[r][column])));
-  return {one_line(table.columns[column].name), std::move(texts), true};
-}
-
-Shown numbers_in(const Table& table, std::size_t column, const Unit& unit) {
-  const auto number = [&](std::size_t r, std::size_t c) { return std::get<double>(table.rows[r][c]); };
-  std::vector<double> numbers;
-  for (std::size_t r = 0; r < table.rows.size(); ++r) numbers.push_back(number(r, column) / unit.factor);
-  const Digits digits(numbers);
-  const std::optional<std::size_t> value = value_with_error(table.columns, column);
-  Words texts;
-  for (std::size_t r = 0; r < numbers.size(); ++r) {
-    texts.push_back((table.is_bound(r, column) ? "< " : "") + digits.text(numbers[r]));
-    const double x = number(r, column);
-    if (!value || std::isnan(x) || x == std::round(x)) continue;
-    const Scale scale = scale_for(number(r, *value), number(r, *value + 1), unit);
-    if (scale.places && std::isfinite(number(r, *value))) texts.back() = scale.plain(x);
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const double x = std::get<double>(table.rows[r][c]);
+    const std::optional<Scale> scale = in_rows ? rows[r] : scale_of_error(table, r, c, unit);
+    texts.push_back(scale ? scale->plain(x)
+                          : (table.is_bound(r, c) ? "< " : "") + digits.text(x / unit.factor));
   }
-  return {one_line(unit.label(table.columns[column].name)), std::move(texts), true};
+  return {one_line(unit.label(table.columns[c].name)), std::move(texts), true};
 }
 
 // The end of the run of neighbours with the unit of this column.
@@ -209,15 +203,13 @@ std::vector<Shown> columns_in(const Table& table) {
   std::vector<Shown> out;
   for (std::size_t end = 0; out.size() < table.columns.size();) {
     const std::size_t begin = std::exchange(end, run_end(table.columns, end));
-    const bool in_si = table.columns[begin].unit == "SI";
+    const std::string& si = table.columns[begin].unit;
     double largest = 0;
     for (const auto& row : table.rows)
       for (std::size_t c = begin; c < end; ++c) largest = std::max(largest, modulus_of(row[c]));
-    const Unit unit = in_si ? Unit{} : unit_for(largest, table.columns[begin].unit);
+    const Unit unit = si == "SI" ? Unit{} : unit_for(largest, si);
     for (std::size_t c = begin; c < end; ++c)
-      out.push_back(holds_words(table, c)    ? words_in(table, c, rows)
-                    : in_si && !rows.empty() ? numbers_in_rows(table, c, rows)
-                                             : numbers_in(table, c, unit));
+      out.push_back(holds_words(table, c) ? words_in(table, c, rows) : numbers_in(table, c, rows, unit));
   }
   return out;
 }
@@ -259,8 +251,8 @@ Shown column_of_values(const Words& values, const Words& errors) {
   const std::size_t width = std::max(widest(values), width_of("value"));
   Words texts;
   for (std::size_t r = 0; r < values.size(); ++r)
-    texts.push_back(on_the_right(values[r], width) + (errors[r].empty() ? "" : " ± " + errors[r]));
-  return {on_the_right("value", width) + (widest(errors) > 0 ? " ± error" : ""), std::move(texts)};
+    texts.push_back(padded(values[r], width, true) + (errors[r].empty() ? "" : " ± " + errors[r]));
+  return {padded("value", width, true) + (widest(errors) > 0 ? " ± error" : ""), std::move(texts)};
 }
 
 Shown column_of_intervals(const Words& lows, const Words& highs) {
@@ -269,7 +261,7 @@ Shown column_of_intervals(const Words& lows, const Words& highs) {
     const std::string &low = lows[r], &high = highs[r];
     texts.push_back(low.empty()    ? high.empty() ? "-" : "below " + high
                     : high.empty() ? "above " + low
-                                   : on_the_right(low, widest(lows)) + " to " + high);
+                                   : padded(low, widest(lows), true) + " to " + high);
   }
   return {"95 % interval", std::move(texts)};
 }
@@ -300,17 +292,19 @@ std::vector<Shown> columns_in(const Parameters& parameters, std::size_t width) {
 std::string aligned(const Parameters& parameters, std::size_t width) {
   const std::vector<Shown> columns = columns_in(parameters, width);
   const std::size_t room = width - std::min(width, total(columns) + gap.size());
-  const bool beside = room >= least_meaning;
-  const std::size_t start = beside ? width - room : meaning_indent, most = width - std::min(width - 1, start);
+  // The meaning stands in the rows, or below them where it has no room there.
+  const bool in_rows = room >= least_meaning;
+  const std::size_t start = in_rows ? width - room : meaning_indent,
+                    most = width - std::min(width - 1, start);
   const auto line = [&](std::size_t r, const std::string& meaning) {
     std::string text = row_of(columns, r);
-    return line_of(beside ? text.append(gap).append(meaning) : text, width);
+    return line_of(in_rows ? text.append(gap).append(meaning) : text, width);
   };
   std::string out = line(0, "meaning");
   for (std::size_t r = 0; r < parameters.size(); ++r) {
     const Words pieces = wrapped(one_line(meaning_of(parameters[r])), most);
     out += line(r + 1, pieces.front());
-    for (const std::string& piece : pieces | std::views::drop(beside ? 1 : 0))
+    for (const std::string& piece : pieces | std::views::drop(in_rows ? 1 : 0))
       if (!piece.empty()) out += line_of(std::string(start, ' ') + piece, width);
   }
   return out;

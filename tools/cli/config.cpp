@@ -26,8 +26,8 @@ std::string text_in(std::istream& in) {
   return out;
 }
 
-// Behind the quoted text that begins there; of three quotes it has lines, and ends with up to two more.
-std::size_t behind_quoted(std::string_view text, std::size_t at) {
+// The end of the quoted text that begins there; of three quotes it has lines, and ends with up to two more.
+std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string three(3, quote);
   const bool lines = text.substr(at).starts_with(three);
@@ -48,9 +48,9 @@ void refuse_deep_keys(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
     if (c == '"' || c == '\'') {
-      const std::size_t behind = behind_quoted(text, at);
-      line += static_cast<std::size_t>(std::ranges::count(text.substr(at, behind - at), '\n'));
-      at = behind;
+      const std::size_t end = end_of_quoted(text, at);
+      line += static_cast<std::size_t>(std::ranges::count(text.substr(at, end - at), '\n'));
+      at = end;
       continue;
     }
     if (c == '#') at = std::min(text.find('\n', at), text.size() - 1);

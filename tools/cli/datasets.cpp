@@ -1,25 +1,26 @@
-// What a tool reads and writes.
-#include <algorithm>
-#include <cmath>
+#include "tools/cli/datasets.hpp"
+
 #include <memory>
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "dataset/catalogue.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "tools/cli/ordered_work.hpp"
+#include "tools/cli/file_identity.hpp"
+#include "tools/cli/messages.hpp"
+#include "tools/cli/options.hpp"
 #include "tools/cli/output_name.hpp"
-#include "tools/cli/place.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"
+#include "tools/cli/run_settings.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/tool.hpp"
+#include "tools/cli/ordered_work.hpp"
 
 namespace asperity::cli {
-
-thread_local std::string Tool::reading_;
-
 namespace {
+
+thread_local std::string last_read;
 
 // The file gets its name in order.
 void put(const Dataset& dataset, const std::string& name) {
@@ -28,67 +29,121 @@ void put(const Dataset& dataset, const std::string& name) {
   in_order([file] { file->close(); });
 }
 
+// As early as can be: of a tool that writes either, what neither may be written into.
+void check_output_name(const std::string& name, bool dataset, bool table, bool json) {
+  if (!table) return check_dataset_name(name);
+  if (!dataset || !names_dataset(extension_of(name))) check_table_name(name, json);
+}
+
 }  // namespace
 
-MemoryBound Tool::memory_bound(std::size_t held) const {
-  constexpr std::size_t always_read = std::size_t{16}
-                                      << 20;  // whatever --memory says: little beside the program's own
-  return {std::max(memory_, always_read), held};
+void Datasets::input() {
+  takes_input_ = true;
+  options_.argument("INPUT", input_, "FILE", "Dataset or map to read; - is standard input");
+  input_format();
 }
 
-Dataset Tool::read() const { return read(input_); }
+void Datasets::input_format() {
+  reads_ = true;
+  options_.choice(
+      "--from", format_.format, InputFormat::names(),
+      "Format of the input; auto: by its first bytes, else by the extension of its name; gwyddion: through "
+      "that program, if it is installed, which auto does with bytes of no other format that are no text",
+      "Input");
+  options_.text(
+      "--channel", format_.channel, "NAME",
+      "Map to read from a file of several (gwy, sur, gwyddion): its name or its number. Default: the "
+      "only one, or the only one of heights",
+      "Input");
+  options_.choice("--from-order", format_.order, {"xy", "yx"},
+                  "Order of a bare matrix (text, npy, NetCDF without x and y); xy: a line for each x, yx: a "
+                  "line for each y",
+                  "Input");
+}
 
-Dataset Tool::read(const std::string& name, std::size_t held) const {
+void Datasets::declare_memory() {
+  if (reads_ && !options_.has("--memory"))
+    settings_.memory("Memory limit for reading: the bytes of an input plus three times its map");
+}
+
+void Datasets::declare_output() {
+  if (writes_dataset_ || writes_table_)
+    options_.text("-o,--output", output_, "FILE",
+                  std::string("Output file; - is standard output") +
+                      (writes_any_ || !writes_dataset_
+                           ? ""
+                           : ". A dataset is NetCDF: name it FILE.nc, or without an extension"),
+                  "Common");
+  if (writes_table_) options_.flag("--json", json_, "Print one JSON object instead of a table", "Common");
+  if (reports_)
+    options_.text("--report", report_, "FILE.json", "Write residuals and other results as one JSON object",
+                  "Common");
+}
+
+void Datasets::declare_history() {
+  if (writes_dataset_)
+    options_.flag("--no-history", no_history_, "Do not record the command in the dataset's history",
+                  "Common");
+}
+
+void Datasets::check_outputs() {
+  const bool writes_something = writes_dataset_ || writes_table_;
+  if (writes_dataset_ && !writes_any_ && !writes_table_) refuse_terminal(output_);
+  if (writes_something && !writes_any_) check_output_name(output_, writes_dataset_, writes_table_, json_);
+  if (!report_.empty()) check_table_name(report_, true, "report");
+  result_is_dataset_ = writes_dataset_ && !writes_table_;
+  if (writes_something) writes("output", output_);
+  if (!report_.empty()) writes("report", report_);
+  if (!options_.config_file().empty()) reads(options_.config_file());
+  last_read.clear();
+}
+
+bool Datasets::lacks_input() const { return takes_input_ && input_ == "-" && stdin_is_terminal(); }
+
+bool Datasets::output_is_terminal() const { return output_ == "-" && stdout_is_terminal(); }
+
+Dataset Datasets::read() const { return read(input_); }
+
+Dataset Datasets::read(const std::string& name, std::size_t held) const {
   const std::string first = first_bytes(name);
   if (!looks_like_netcdf(first) || !format_.netcdf(first))
-    return read(read_all(name, memory_bound(held)), name, held);
-  return read_by(name, first, [&] { return open_netcdf(name, memory_bound(held)); });
+    return read(read_all(name, settings_.memory_bound(held)), name, held);
+  return read_by(name, first, [&] { return open_netcdf(name, settings_.memory_bound(held)); });
 }
 
-Dataset Tool::read(const Bytes& bytes, const std::string& name, std::size_t held) const {
-  return read_by(name, bytes, [&] { return format_.dataset(bytes, name, memory_bound(held)); });
+Dataset Datasets::read(const Bytes& bytes, const std::string& name, std::size_t held) const {
+  return read_by(name, bytes, [&] { return format_.dataset(bytes, name, settings_.memory_bound(held)); });
 }
 
-Dataset Tool::read(Bytes&& bytes, const std::string& name, std::size_t held) const {
+Dataset Datasets::read(Bytes&& bytes, const std::string& name, std::size_t held) const {
   if (!format_.netcdf(bytes)) return read(std::as_const(bytes), name, held);
   return read_by(name, bytes, [&] {
-    const MemoryBound left = memory_bound(held + bytes.size());
+    const MemoryBound left = settings_.memory_bound(held + bytes.size());
     return open_netcdf(std::move(bytes), left);
   });
 }
 
-Dataset Tool::read_by(const std::string& name, std::string_view first_bytes,
-                      const std::function<Dataset()>& decoded) const {
+Dataset Datasets::read_by(const std::string& name, std::string_view first_bytes,
+                          const std::function<Dataset()>& decoded) const {
   const bool netcdf = format_.netcdf(first_bytes);
   reads(name, result_is_dataset_ && netcdf);
   if (netcdf)
     format_.found(first_bytes, name);  // refuses what is given for a map alone
   else
-    detail(format_.reason(first_bytes, name));
+    messages_.detail(format_.reason(first_bytes, name));
   Dataset data = decoded();
   settle(data, name);
   return data;
 }
 
-void Tool::settle(Dataset& dataset, const std::string& name) const {
+void Datasets::settle(Dataset& dataset, const std::string& name) const {
   const std::string of = name == "-" ? "" : name + ": ";
-  for (const std::string& line : settle_lengths(dataset)) warn(of + line);
-  for (const std::string& line : std::exchange(dataset.notes, {})) note(of + line);
+  for (const std::string& line : settle_lengths(dataset)) messages_.warn(of + line);
+  for (const std::string& line : std::exchange(dataset.notes, {})) messages_.note(of + line);
 }
 
-void Tool::require_memory(double bytes, const std::string& option, const std::string& what,
-                          const std::string& instead) const {
-  if (!(bytes > static_cast<double>(memory_bound().bytes))) return;
-  const auto megabytes = [](double size) {
-    return std::to_string(std::llround(std::ceil(size / 1e6))) + "MB";
-  };
-  throw UsageError(option, what + " needs some " + megabytes(bytes) + ", more than the " +
-                               megabytes(static_cast<double>(memory_bound().bytes)) +
-                               " that --memory allows" + instead);
-}
-
-void Tool::writes(const std::string& option, const std::string& name) {
-  Identity own = identity_of_output(place_of(name));
+void Datasets::writes(const std::string& option, const std::string& name) {
+  Identity own = identity_of_output(name);
   if (own.empty() && name == "-") own = name;
   const auto [other, alone] = outputs_.try_emplace(own, Output{option, name});
   if (!alone && !own.empty())
@@ -96,47 +151,59 @@ void Tool::writes(const std::string& option, const std::string& name) {
   require_writable(name);
 }
 
-void Tool::reads(const std::string& name, bool passed_on) const {
-  reading_ = name;
-  in_order([name] { reading_ = name; });
+void Datasets::reads(const std::string& name, bool passed_on) const {
+  last_read = name;
+  in_order([name] { last_read = name; });
   const Identity own = identity_of_input(name);
   const auto same = outputs_.find(own);
   if (own.empty() || same == outputs_.end()) return;
   const auto& [option, output] = same->second;
-  const bool replaced = place_of(output).kind == Place::Kind::file;
-  if (passed_on && replaced && option == "output") return;
+  if (passed_on && replaces_file(output) && option == "output") return;
   refuse(option, output, "is an input of this run: give the output another name");
 }
 
-void Tool::write(Dataset& dataset) { write(dataset, output_); }
+// "rough.nc: heights: ...", "map.txt: line 3 ..."
+std::string Datasets::in_file(const DataError& error) const {
+  std::string line = sentence(error.name, error.what());
+  const KnownResult* result = result_of_variable(error.name);
+  const bool missing = dynamic_cast<const MissingVariable*>(&error) != nullptr;
+  if (missing && (error.name == "x" || error.name == "y"))
+    line += ". `size` gives a bare array its axes";
+  if (missing && result != nullptr && result->name != "heights")
+    line += ". asperity-" + std::string(result->prefix.substr(0, result->prefix.find('_'))) + " computes it";
+  const bool named = last_read.empty() || last_read == "-" || line.starts_with(last_read + ": ");
+  return named ? line : last_read + ": " + line;
+}
 
-void Tool::write(Dataset& dataset, const std::string& name, const std::vector<std::string>& lines) const {
-  if (!speaks()) return;
+void Datasets::write(Dataset& dataset) { write(dataset, output_); }
+
+void Datasets::write(Dataset& dataset, const std::string& name, const std::vector<std::string>& lines) const {
+  if (!settings_.is_first_rank()) return;
   refuse_terminal(name);
   if (!writes_any_) check_dataset_name(name);
   sign(dataset, lines);
-  const bool replaces = place_of(name).kind == Place::Kind::file;
-  if (works_alone() && !replaces)  // what is written into a pipe is seen at once
+  if (works_alone() && !replaces_file(name))  // what is written into a pipe is seen at once
     return in_order([name, dataset] { put(dataset, name); });
   put(dataset, name);
   write_report(dataset);
 }
 
-void Tool::sign(Dataset& dataset, const std::vector<std::string>& lines) const {
+void Datasets::sign(Dataset& dataset, const std::vector<std::string>& lines) const {
   dataset.attributes.set("Conventions", "CF-1.8");
   dataset.attributes.set("source", source());
   if (no_history_) return;
-  std::string entry = timestamp() + ": " + command_line_;
+  std::string entry = timestamp() + ": " + options_.command_line();
   for (const std::string& line : lines) entry += "\n  " + line;
   add_history(dataset, entry);
 }
 
-void Tool::write_report(const Dataset& dataset) const {
-  if (!report_.empty()) write_all(report_, report_of(dataset, name_.substr(name_.find('-') + 1) + "_"));
+void Datasets::write_report(const Dataset& dataset) const {
+  const std::string& tool = options_.name();
+  if (!report_.empty()) write_all(report_, report_of(dataset, tool.substr(tool.find('-') + 1) + "_"));
 }
 
-void Tool::write_text(const std::string& text) const {
-  if (!speaks()) return;
+void Datasets::write_text(const std::string& text) const {
+  if (!settings_.is_first_rank()) return;
   if (output_is_terminal())
     Progress::clear();
   else

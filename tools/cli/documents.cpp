@@ -127,7 +127,7 @@ std::string see_also(const std::string& self) {
   return out + "\n";
 }
 
-// The character that begins at `at`, which moves behind it.
+// The character that begins at `at`, which moves to its end.
 unsigned code_point(const std::string& text, std::size_t& at) {
   const auto first = static_cast<unsigned char>(text[at++]);
   const int more = first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;

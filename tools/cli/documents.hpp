@@ -17,9 +17,9 @@ namespace asperity::cli {
 std::vector<std::string> names_of(const CLI::Option& option);
 /// It stands alone, without a value.
 bool is_flag(const CLI::Option& option);
-/// What stands behind its name: "FILE", "x|y", or "WORD" of a long list of words, which text_of() has.
+/// What follows its name: "FILE", "x|y", or "WORD" of a long list of words, which text_of() has.
 std::string kind_of(const CLI::Option& option);
-/// What can stand behind its name: nothing, the name of a file, one of some words, or something else.
+/// What can follow its name: nothing, the name of a file, one of some words, or something else.
 enum class Value { none, file, word, other };
 Value value_of(const CLI::Option& option);
 /// "exponential|gaussian", the words of Value::word.

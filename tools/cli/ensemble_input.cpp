@@ -18,10 +18,10 @@
 #include "dataset/unread.hpp"
 #include "formats/format.hpp"
 #include "formats/text_numbers.hpp"
-#include "tools/cli/grid_words.hpp"
-#include "tools/cli/place.hpp"
+#include "tools/cli/file_identity.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/surface_words.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -60,7 +60,7 @@ std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimit
   return "unknown format, and Gwyddion cannot read the file either" + (words.empty() ? "" : ": " + words);
 }
 
-// Gwyddion 2.62 takes sizes of WSxM in the prefix of the heights: beside heights in nm, 1 µm becomes 1 nm.
+// Gwyddion 2.62 takes sizes of WSxM in the prefix of the heights: where heights are in nm, 1 µm becomes 1 nm.
 void check_wsxm(const Map& map, std::string_view bytes) {
   if (!bytes.starts_with("WSxM file copyright")) return;
   const Head head(bytes.substr(0, bytes.find("[Header end]")), ":");
@@ -92,10 +92,10 @@ Map map_through_gwyddion(std::string_view bytes, const std::string& name, const 
                                own.empty() ? bytes : std::string_view(), limits);
   if (run.end != ProgramRun::End::done || run.output.size() == 0)
     throw DataError("map", refusal(run, path, limits));
-  Reading told = reading;
-  told.memory = reading.memory.beside(run.output.size());
-  Map map = format::gwy.decode(run.output, told);
-  if (!told.size_told) check_wsxm(map, bytes);
+  Reading options = reading;
+  options.memory = reading.memory.beside(run.output.size());
+  Map map = format::gwy.decode(run.output, options);
+  if (!options.size_told) check_wsxm(map, bytes);
   static const std::string version = version_of(program);
   map.history =
       fmt::format("{}: gwyddion {} --convert-to-gwy=OUT.gwy {}", timestamp(), version, shell_word(name));

@@ -51,7 +51,7 @@ std::string broken_command(const std::string& command, std::size_t width) {
   }
   std::string out, line;
   for (const std::string& part : parts) {
-    const bool full = !line.empty() && line.size() + part.size() + 3 > width;  // with " \\" behind it
+    const bool full = !line.empty() && line.size() + part.size() + 3 > width;  // with " \\" after it
     if (full) out += line + (line.ends_with("|") ? "\n" : " \\\n"), line = "  ";
     line += (line.empty() || full ? "" : " ") + part;
   }

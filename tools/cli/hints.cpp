@@ -16,18 +16,12 @@ namespace asperity::cli {
 namespace {
 
 struct Entry {
-  std::string_view option, tools, now;  ///< tools without "asperity-", a blank between them
+  std::string_view option, tools;  ///< tools without "asperity-", a blank between them
 };
 
 constexpr Entry entries[] = {
 #include "option_names.inc"  // of docs/options.md
 };
-
-std::string_view short_name(const CLI::App& app) {
-  constexpr std::string_view prefix = "asperity-";
-  const std::string_view name = app.get_name();
-  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
-}
 
 // Insertions, deletions, replacements and exchanges of neighbours that make one word of another.
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -71,13 +65,8 @@ std::string in_words(std::string_view tools) {
 std::string hint(const CLI::App& app, const std::string& option) {
   if (app.get_name() == umbrella.tool) return ": the options of a tool follow its name";
   std::string elsewhere;  // the tools of all its rows
-  for (const Entry& entry : entries) {
-    if (entry.option != option) continue;
-    const std::vector<std::string_view> tools = words_of(entry.tools);
-    const bool own = std::ranges::find(tools, short_name(app)) != tools.end();
-    if (own && !entry.now.empty()) return ": it is now " + std::string(entry.now);
-    if (!own && entry.now.empty()) elsewhere += (elsewhere.empty() ? "" : " ") + std::string(entry.tools);
-  }
+  for (const Entry& entry : entries)
+    if (entry.option == option) elsewhere += (elsewhere.empty() ? "" : " ") + std::string(entry.tools);
   const std::string near = nearest(app, option);
   if (!elsewhere.empty()) return ": it belongs to " + in_words(elsewhere);
   return near.empty() ? "" : ": did you mean " + near + "?";
@@ -101,14 +90,13 @@ std::string nearest_tool(const std::string& word) {
 }
 
 bool is_option(const std::string& name) {
-  return std::ranges::any_of(entries, [&](const Entry& e) { return e.option == name && e.now.empty(); });
+  return std::ranges::find(entries, name, &Entry::option) != std::end(entries);
 }
 
-std::string tool_with(const CLI::App& app, const std::string& option) {
-  if (app.get_option_no_throw(option) != nullptr) return "";
+std::string tool_with(const std::string& option) {
   std::string_view first;
   for (const Entry& e : entries) {
-    if (e.option != option || !e.now.empty()) continue;
+    if (e.option != option) continue;
     const std::vector<std::string_view> tools = words_of(e.tools);
     for (const std::string_view tool : {"convert", "filter"})
       if (first.empty() && std::ranges::find(tools, tool) != tools.end()) first = tool;

@@ -1,5 +1,5 @@
-/// What someone meant who wrote an option that a tool does not have: one of its former name, one of another
-/// tool, or one that is spelt nearly so. docs/options.md lists all options and the former names.
+/// What a user meant by an option that the tool does not have: one of another tool, or one spelt nearly so.
+/// docs/options.md lists all options.
 #pragma once
 
 #include <string>
@@ -20,8 +20,8 @@ std::string nearest_tool(const std::string& word);
 
 /// Of any tool, "--size".
 bool is_option(const std::string& name);
-/// "; asperity-convert has --size" where the tool itself has no such option.
-std::string tool_with(const CLI::App& app, const std::string& option);
+/// "; asperity-convert has --size", of an option that a tool lacks; "" where neither that nor asperity-filter has it.
+std::string tool_with(const std::string& option);
 
 /// The message of an error of CLI11.
 std::string in_words(const CLI::Error& error);

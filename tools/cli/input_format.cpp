@@ -64,12 +64,12 @@ std::string InputFormat::reason(std::string_view bytes, const std::string& name)
 
 Map InputFormat::map(std::string_view bytes, const std::string& name, const MemoryBound& memory) const {
   const std::string_view from = found(bytes, name);
-  Reading told = reading;
-  told.memory = memory.beside(bytes.size());
-  told.order = order_of_matrix();
-  told.channel = channel;
-  if (from == through_gwyddion) return map_through_gwyddion(bytes, name, told);
-  return format_named(from, "from").decode(bytes, told);
+  Reading options = reading;
+  options.memory = memory.beside(bytes.size());
+  options.order = order_of_matrix();
+  options.channel = channel;
+  if (from == through_gwyddion) return map_through_gwyddion(bytes, name, options);
+  return format_named(from, "from").decode(bytes, options);
 }
 
 Dataset InputFormat::dataset(std::string_view bytes, const std::string& name,

@@ -12,7 +12,7 @@
 namespace asperity::cli {
 namespace {
 
-// Of other programs, beside those of formats().
+// Of other programs, besides those of formats().
 constexpr std::string_view not_text[] = {"vti",  "vtr",  "vtk", "nc4", "h5",   "hdf",  "hdf5", "mat", "npz",
                                          "tif",  "tiff", "png", "jpg", "jpeg", "bmp",  "gif",  "svg", "pdf",
                                          "html", "htm",  "zip", "gz",  "xls",  "xlsx", "ods"};

@@ -4,14 +4,17 @@
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
+#include "core/words.hpp"
+#include "tools/cli/config.hpp"
 #include "tools/cli/documents.hpp"
 #include "tools/cli/hints.hpp"
+#include "tools/cli/options.hpp"
 #include "tools/cli/record.hpp"
-#include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -30,6 +33,38 @@ bool have(const std::vector<std::string>& arguments, const CLI::Option& option) 
   throw ParameterError(key, "is empty: give it a value or leave it out");
 }
 
+// The words of a line as a shell has them: quotes hold blanks, and a backslash the next character.
+std::vector<std::string> shell_words(const std::string& line) {
+  std::vector<std::string> out;
+  char quote = '\0';
+  bool within = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    const bool escape = c == '\\' && quote != '\'' && at + 1 < line.size();
+    if (!quote && !escape && std::isspace(static_cast<unsigned char>(c))) {
+      within = false;
+      continue;
+    }
+    if (!within) out.emplace_back();
+    within = true;
+    if (escape)
+      out.back() += line[++at];
+    else if (c == quote || (!quote && (c == '\'' || c == '"')))
+      quote = quote ? '\0' : c;
+    else
+      out.back() += c;
+  }
+  if (quote) throw ParameterError("steps", "a quotation mark is not closed");
+  return out;
+}
+
+std::string line_of(const std::vector<Options::Step>& steps) {
+  std::string out;
+  for (const auto& [option, value] : steps)
+    out += (out.empty() ? "--" : " --") + option + " " + shell_word(value);
+  return out;
+}
+
 }  // namespace
 
 std::string environment_name(const std::string& tool, const std::string& option) {
@@ -38,12 +73,16 @@ std::string environment_name(const std::string& tool, const std::string& option)
   return out;
 }
 
-bool Tool::given(const std::string& name) const {
+bool Options::has(const std::string& name) const { return app_->get_option_no_throw(name) != nullptr; }
+
+std::string Options::config_to_print() const { return dump_config_ ? config_text(*app_) : ""; }
+
+bool Options::given(const std::string& name) const {
   const CLI::Option* option = app_->get_option_no_throw(name);
   return option && option->count() > 0;
 }
 
-std::vector<std::string> Tool::given_under(const std::vector<std::string>& headings) const {
+std::vector<std::string> Options::given_under(const std::vector<std::string>& headings) const {
   std::vector<std::string> out;
   for (const CLI::Option* option : app_->get_options({}))
     if (option->count() > 0 && std::ranges::find(headings, option->get_group()) != headings.end())
@@ -52,7 +91,7 @@ std::vector<std::string> Tool::given_under(const std::vector<std::string>& headi
 }
 
 // The arguments that variables stand for, where none on the command line is for the same option.
-std::vector<std::string> Tool::environment() const {
+std::vector<std::string> Options::environment() const {
   std::vector<std::string> out;
   if (!computes_) return out;
   for (const CLI::Option* option : app_->get_options({})) {
@@ -66,7 +105,7 @@ std::vector<std::string> Tool::environment() const {
 }
 
 // A variable of this tool that stands for no option is a slip of the pen.
-void Tool::check_environment() const {
+void Options::check_environment() const {
   if (!computes_) return;
   const std::string prefix = environment_name(name_, "");
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -77,16 +116,16 @@ void Tool::check_environment() const {
                            [](unsigned char c) { return c == '_' ? '-' : std::tolower(c); });
     const CLI::Option* known = app_->get_option_no_throw("--" + option);
     if (known && std::ranges::find(step_options_, known) != step_options_.end())
-      throw ParameterError(std::string(variable),
-                           "is a step, and its place among others is not known: set " +
-                               environment_name(name_, "steps") + " to all of them, in order");
+      throw ParameterError(std::string(variable), "is a step, and its place among others is not known: set " +
+                                                      environment_name(name_, "steps") +
+                                                      " to all of them, in order");
     if (!known || !(known->get_configurable() || option == "config"))
       throw ParameterError(std::string(variable), unknown_option(*app_, "--" + option));
   }
 }
 
 // The first word on the command line that is neither an option nor a value of one.
-std::string Tool::unexpected() const {
+std::string Options::unexpected() const {
   const std::vector<std::string> left = app_->remaining();
   const auto first = std::ranges::find_if(
       arguments_, [&](const std::string& a) { return std::ranges::find(left, a) != left.end(); });
@@ -95,13 +134,24 @@ std::string Tool::unexpected() const {
   return "'" + word + "' is one argument too many: " + name_ + " -h shows the usage";
 }
 
-void Tool::parse(int argc, char** argv) {
-  add_common();
+void Options::parse(int argc, char** argv) try {
   arguments_.assign(argv + 1, argv + argc);
   command_line_ = name_;
   for (const std::string& a : arguments_) command_line_ += " " + shell_word(a);
   check_environment();
   environment_ = environment();
+  read_values();
+  settle_steps();
+} catch (const CLI::ConfigError& e) {
+  throw CommandLineError(config_file() + ": " + in_words(*app_, e));
+} catch (const CLI::FileError&) {
+  throw CommandLineError(origin("config") + ": '" + config_file() +
+                         "' cannot be read: name an existing file");
+} catch (const CLI::Error& e) {
+  throw CommandLineError(app_->remaining().empty() ? in_words(e) : unexpected());
+}
+
+void Options::read_values() {
   for (CLI::Option* option : app_->get_options({}))
     if (!is_flag(*option) && option != may_be_empty_)
       option->check([key = option->get_single_name()](const std::string& value) {
@@ -112,11 +162,10 @@ void Tool::parse(int argc, char** argv) {
   std::ranges::copy(with_empty_values(arguments_), std::back_inserter(all));
   std::ranges::reverse(all);
   app_->parse(std::move(all));
-  settle_steps();
 }
 
 // "--counter=" as two arguments: CLI11 would take the next for its value. Behind "--" are no options.
-std::vector<std::string> Tool::with_empty_values(const std::vector<std::string>& arguments) const {
+std::vector<std::string> Options::with_empty_values(const std::vector<std::string>& arguments) const {
   std::vector<std::string> out;
   const auto end = std::ranges::find(arguments, "--");
   for (auto a = arguments.begin(); a != end; ++a) {
@@ -131,13 +180,13 @@ std::vector<std::string> Tool::with_empty_values(const std::vector<std::string>&
   return out;
 }
 
-std::string Tool::config_file() const {
+std::string Options::config_file() const {
   const CLI::Option* config = app_->get_config_ptr();
   return config == nullptr || config->count() == 0 ? "" : config->results().front();
 }
 
 // Where the value of an option came from, as its user would look for it.
-std::string Tool::origin(const std::string& key) const {
+std::string Options::origin(const std::string& key) const {
   const CLI::Option* option = app_->get_option_no_throw("--" + key);
   if (!option && std::getenv(key.c_str()) != nullptr) return key;  // no option's variable
   if (!option) return (app_->get_option_no_throw(key) ? "" : "--") + key;
@@ -149,13 +198,57 @@ std::string Tool::origin(const std::string& key) const {
 }
 
 // The library states a value in SI units; its user looks for what was typed.
-std::string Tool::typed(const std::string& key, const std::string& message) const {
+std::string Options::typed(const std::string& key, const std::string& message) const {
   const CLI::Option* option = app_->get_option_no_throw("--" + key);
   const bool value = message.find_first_of("-0123456789") == 0;
   if (!option || !value || option->results().size() != 1) return origin(key);
   const std::string& text = option->results().front();
   const bool repeated = message.starts_with(text + " ") || message.starts_with(text + ":");
   return repeated ? origin(key) : origin(key) + " " + text;
+}
+
+// ---- steps ----
+
+// CLI11 has the values of each option in their order, and the order of the options.
+std::vector<Options::Step> Options::steps_of_command_line() const {
+  std::vector<Step> out;
+  std::map<const CLI::Option*, std::size_t> used;
+  for (const CLI::Option* option : app_->parse_order())
+    if (std::ranges::find(step_options_, option) != step_options_.end())
+      out.push_back({option->get_single_name(), option->results().at(used[option]++)});
+  return out;
+}
+
+std::vector<Options::Step> Options::steps_of_text() const {
+  const std::vector<std::string> words = shell_words(steps_text_);
+  std::vector<Step> out;
+  for (std::size_t at = 0; at < words.size(); ++at) {
+    const std::size_t equals = std::min(words[at].find('='), words[at].size());
+    const std::string name = words[at].substr(0, equals);
+    const CLI::Option* option = name.starts_with("--") ? app_->get_option_no_throw(name) : nullptr;
+    if (std::ranges::find(step_options_, option) == step_options_.end())
+      refuse("steps", one_line(words[at], 64), "is no step: --help lists them");
+    const bool joined = equals < words[at].size();
+    if (!joined && ++at == words.size()) refuse("steps", name, "needs a value");
+    out.push_back({name.substr(2), joined ? words[at].substr(equals + 1) : words[at]});
+  }
+  return out;
+}
+
+std::vector<Options::Step> Options::steps() const {
+  const std::vector<Step> typed = steps_of_command_line();
+  return typed.empty() ? steps_of_text() : typed;
+}
+
+// What --dump-config prints in place of the single steps.
+void Options::settle_steps() {
+  const std::vector<Step> typed = steps_of_command_line();
+  if (typed.empty()) return;
+  CLI::Option* text = app_->get_option("--steps");
+  if (origin("steps") == "--steps" && text->count() > 0)
+    throw UsageError("steps", "cannot be combined with --" + typed.front().option + ": write all steps here");
+  text->clear();
+  text->add_result(line_of(typed));
 }
 
 }  // namespace asperity::cli

@@ -15,8 +15,8 @@
 #include <unistd.h>
 #include <utility>
 
-#include "tools/cli/child.hpp"
 #include "tools/cli/quantity.hpp"
+#include "tools/cli/sandbox.hpp"
 #include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
@@ -28,31 +28,7 @@ using namespace std::chrono_literals;
 constexpr int output_fd = 3, input_fd = 4, cannot_start = 127;
 constexpr std::size_t most_messages = 16384;
 
-class OpenFile {
- public:
-  explicit OpenFile(int fd) : fd_(fd) {
-    if (fd < 0) throw std::system_error(errno, std::generic_category(), "a file in memory");
-  }
-  ~OpenFile() { close(); }
-  OpenFile(OpenFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  OpenFile& operator=(OpenFile&&) = delete;
-
-  int fd() const { return fd_; }
-  void close() {
-    if (const int fd = std::exchange(fd_, -1); fd >= 0) ::close(fd);
-  }
-
- private:
-  int fd_;
-};
-
-OpenFile file_in_memory(const char* name) { return OpenFile(::memfd_create(name, MFD_CLOEXEC)); }
-
-std::array<OpenFile, 2> pipe_of_messages() {
-  int ends[2] = {-1, -1};
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "a pipe");
-  return {OpenFile(ends[0]), OpenFile(ends[1])};
-}
+OpenFile file_in_memory(const char* name) { return {::memfd_create(name, MFD_CLOEXEC), "a file in memory"}; }
 
 // The environment, of nothing that is the user's.
 std::vector<std::string> environment() {
@@ -151,9 +127,9 @@ ProgramRun run_program(const std::string& path, const std::vector<std::string>& 
                        std::string_view input, ProgramLimits limits) {
   const EndOfChildren heard;
   const OpenFile output = file_in_memory("output"), given = file_in_memory("input"),
-                 nowhere(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+                 nowhere(::open("/dev/null", O_RDONLY | O_CLOEXEC), "/dev/null");
   write_to(given.fd(), input, "a file in memory");
-  auto [read_end, write_end] = pipe_of_messages();
+  auto [read_end, write_end] = pipe_ends();
   std::vector<std::string> words{path}, variables = environment();
   words.insert(words.end(), arguments.begin(), arguments.end());
   const std::vector<char*> argv = pointers(words), envp = pointers(variables);

@@ -18,7 +18,7 @@ namespace asperity::cli {
 namespace {
 
 constexpr double period = 0.2;  // between two drawings of the line [s]
-constexpr double least_time = 1, least_counted = 0.01, least_decades = 0.05;  // before the time left is told
+constexpr double least_time = 1, least_counted = 0.01, least_decades = 0.05;  // before the time left is shown
 constexpr std::size_t shortest_bar = 8, longest_bar = 20, longest_line = 80;
 constexpr std::size_t column_width = 9;  // characters of a table of steps, at least
 constexpr const char* erased = "\r\033[K";
@@ -50,13 +50,13 @@ std::optional<double> TimeLeft::at(double seconds, double share, double least) {
   const double end = seconds + (1 - share) * elapsed / gained;
   const double smoothing = std::max(least_time, elapsed / 5);
   end_ = known_ ? end + (end_ - end) * std::exp((seconds_ - seconds) / smoothing) : end;
-  const double expected = std::max(end_ - seconds, 0.0), counted = told_ + seconds_ - seconds;
+  const double expected = std::max(end_ - seconds, 0.0), counted = left_ + seconds_ - seconds;
   const bool keeps = known_ && expected > counted && expected < std::max(counted + 2, 1.5 * counted);
   // Where it is a little too short, it falls at half the pace until it is not.
-  told_ = keeps ? std::max(counted + (seconds - seconds_) / 2, 0.0) : expected;
+  left_ = keeps ? std::max(counted + (seconds - seconds_) / 2, 0.0) : expected;
   seconds_ = seconds;
   known_ = true;
-  return told_;
+  return left_;
 }
 
 // An inherited descriptor shares its lock with the other tools of a pipe: the terminal is opened anew.
@@ -97,48 +97,48 @@ void Progress::draw(const std::vector<std::string>& words) {
   drawn_ = true;
 }
 
-void Progress::advance(double share) {
+// A stage that begins takes `portion` of what is left of the bar. Whether the line is to be drawn.
+bool Progress::reach(const std::vector<std::string>& words, double share, double portion, double steps) {
+  if (!shown_) return false;
+  const double at = clock_.seconds();
+  const bool begins = !stage_ || words != stage_->words;
+  if (begins) {
+    stage_ = {words, at, steps, share_, portion * (1 - share_)};
+    left_.start(at, share);
+  }
   if (begin_ < 0) begin_ = bar_;
-  share_ = std::max(share_, std::clamp(share, 0.0, 1.0));
+  share_ = std::max(share_, stage_->share + stage_->portion * share);
   bar_ = std::max(bar_, begin_ + portion_ * (1 - begin_) * share_);
+  return begins || at >= next_;
+}
+
+std::optional<double> Progress::time_left(double least) {
+  const double reached = stage_->portion > 0 ? (share_ - stage_->share) / stage_->portion : 1;
+  return left_.at(clock_.seconds(), reached, least);
+}
+
+std::string Progress::rate(double steps, const std::string& name) const {
+  return fmt::format("{:.3g}{}/s", (steps - stage_->steps) / (clock_.seconds() - stage_->seconds), name);
 }
 
 void Progress::count(double done, double of, const std::string& units) {
-  if (!shown_ || !is_due()) return;
-  const double at = clock_.seconds(), share = std::clamp(done / of, 0.0, 1.0);
-  if (!std::exchange(stage_.known, true)) {
-    stage_.seconds = at;
-    stage_.steps = done;
-    left_.start(at, share);
-  }
-  advance(share);
+  if (!reach({}, std::clamp(done / of, 0.0, 1.0), 1, done)) return;
   std::vector<std::string> words;
-  const std::optional<double> left = left_.at(at, share_, least_counted);
+  const std::optional<double> left = time_left(least_counted);
   if (left) words.push_back(duration(*left) + " left");
   if (!units.empty()) words.push_back(fmt::format("{:.0f} of {:.0f} {}", std::floor(done), of, units));
-  if (left && !units.empty())
-    words.push_back(fmt::format("{:.3g}/s", (done - stage_.steps) / (at - stage_.seconds)));
+  if (left && !units.empty()) words.push_back(rate(done, ""));
   draw(words);
 }
 
 void Progress::iterate(const IterationStatus& now) {
-  if (!shown_) return;
-  const double share = std::clamp(std::max(decades_done(now.residual, now.tolerance), now.spent), 0.0, 1.0),
-               at = clock_.seconds();
-  const bool begins = !stage_.known || now.stage != stage_.stage;
-  if (begins) {
-    stage_ = {now.stage, at, now.steps, share_, now.portion * (1 - share_), true};
-    left_.start(at, share);
-  }
-  advance(stage_.share + stage_.portion * share);
-  if (!(begins || is_due())) return;
+  const double share = std::max(decades_done(now.residual, now.tolerance), now.spent);
+  if (!reach(now.stage, std::clamp(share, 0.0, 1.0), now.portion, now.steps)) return;
   std::vector<std::string> words = now.stage;
   words.push_back(fmt::format("residual {:.1e}", now.residual));
-  const double reached = stage_.portion > 0 ? (share_ - stage_.share) / stage_.portion : 1;
-  const std::optional<double> left = left_.at(at, reached, least_decades);
+  const std::optional<double> left = time_left(least_decades);
   if (left && now.last) words.insert(words.begin(), duration(*left) + " left");
-  if (now.steps > stage_.steps && at > stage_.seconds)
-    words.push_back(fmt::format("{:.3g} {}/s", (now.steps - stage_.steps) / (at - stage_.seconds), now.name));
+  if (now.steps > stage_->steps) words.push_back(rate(now.steps, " " + now.name));
   draw(words);
 }
 
@@ -162,13 +162,13 @@ double decades_done(double residual, double tolerance) {
 }
 
 void StepTable::row(const std::vector<std::string>& cells) {
-  if (!tool_.verbose()) return;
+  if (!messages_.verbose()) return;
   const auto print = [&](const std::vector<std::string>& words) {
     std::string line;
     for (std::size_t c = 0; c < words.size(); ++c)
       line +=
           fmt::format("{}{:>{}}", c == 0 ? "" : "  ", words[c], std::max(column_width, headings_[c].size()));
-    tool_.detail(line);
+    messages_.detail(line);
   };
   if (!std::exchange(headed_, true)) print(headings_);
   print(cells);

@@ -33,7 +33,7 @@ class TimeLeft {
 
  private:
   double begin_ = 0, share_ = 0;
-  double end_ = 0, told_ = 0, seconds_ = 0;  ///< end expected, time left told last, when
+  double end_ = 0, left_ = 0, seconds_ = 0;  ///< end expected, time left shown last, when
   bool known_ = false;
 };
 
@@ -60,8 +60,13 @@ class Progress {
   static void clear();
 
  private:
-  bool is_due() const { return clock_.seconds() >= next_; }
-  void advance(double share);
+  struct Stage {
+    std::vector<std::string> words;
+    double seconds, steps, share, portion;  ///< when it began, with what; its part of all stages
+  };
+  bool reach(const std::vector<std::string>& words, double share, double portion, double steps);
+  std::optional<double> time_left(double least);
+  std::string rate(double steps, const std::string& name) const;
   void draw(const std::vector<std::string>& words);
   static bool take_line();
 
@@ -74,11 +79,7 @@ class Progress {
   double next_ = 0;                          ///< when the line may be redrawn [s]
   double portion_, begin_ = -1, share_ = 0;  ///< of the bar; where it began there, the largest share so far
   TimeLeft left_;
-  struct Beginning {
-    std::vector<std::string> stage;
-    double seconds = 0, steps = 0, share = 0, portion = 1;
-    bool known = false;
-  } stage_;
+  std::optional<Stage> stage_;
 };
 
 /// How far a residual has come from 1 down to its tolerance, on a logarithmic scale: 0 … 1.
@@ -87,12 +88,12 @@ double decades_done(double residual, double tolerance);
 /// The steps of an iteration under a line of headings, right-aligned, with --verbose.
 class StepTable {
  public:
-  StepTable(const Tool& tool, std::vector<std::string> headings)
-      : tool_(tool), headings_(std::move(headings)) {}
+  StepTable(const Messages& messages, std::vector<std::string> headings)
+      : messages_(messages), headings_(std::move(headings)) {}
   void row(const std::vector<std::string>& cells);
 
  private:
-  const Tool& tool_;
+  const Messages& messages_;
   std::vector<std::string> headings_;
   bool headed_ = false;
 };

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <new>
 #include <string_view>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -14,10 +15,54 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "tools/cli/child.hpp"
 #include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
+
+OpenFile::OpenFile(int fd, const char* name) : fd_(fd) {
+  if (fd < 0) throw std::system_error(errno, std::generic_category(), name);
+}
+
+void OpenFile::close() {
+  if (const int fd = std::exchange(fd_, -1); fd >= 0) ::close(fd);
+}
+
+std::array<OpenFile, 2> pipe_ends() {
+  int ends[2] = {-1, -1};
+  static_cast<void>(::pipe2(ends, O_CLOEXEC));
+  return {OpenFile(ends[0], "a pipe"), OpenFile(ends[1], "a pipe")};
+}
+
+EndOfChildren::EndOfChildren() {
+  struct sigaction usual {};
+  usual.sa_handler = SIG_DFL;
+  ::sigaction(SIGCHLD, &usual, &former_);
+}
+
+EndOfChildren::~EndOfChildren() { ::sigaction(SIGCHLD, &former_, nullptr); }
+
+void lower_limit(int resource, rlim_t bound) {
+  struct rlimit limit {};
+  ::getrlimit(static_cast<__rlimit_resource>(resource), &limit);
+  if (limit.rlim_max != RLIM_INFINITY && limit.rlim_max < bound) bound = limit.rlim_max;
+  limit.rlim_cur = limit.rlim_max = bound;
+  ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
+}
+
+void begin_child(pid_t parent, int failed) {
+  for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(failed);
+  lower_limit(RLIMIT_CORE, 0);
+}
+
+int status_of(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "a process of its own");
+  return status;
+}
+
 namespace {
 
 // How a child ends that could say so, apart from what a library ends with.
@@ -37,44 +82,15 @@ void confine(WorkLimits limits, pid_t parent, std::size_t present) {
   if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
-// A pipe from the child: unlike a file, it knows no limit of its size, and needs no place.
-class Pipe {
- public:
-  Pipe() {
-    if (::pipe2(ends_, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), name);
-  }
-  ~Pipe() {
-    close(0);
-    close(1);
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-
-  /// Of the child: once nobody reads any more, writing ends it.
-  void only_write() { close(0); }
-  void write(std::string_view bytes) const { write_to(ends_[1], bytes, name); }
-  /// Until nobody can write any more; this process no longer can.
-  Bytes read() {
-    close(1);
-    return read_to_end(ends_[0], name, {});
-  }
-
- private:
-  static constexpr const char* name = "a pipe";
-  void close(int end) {
-    if (const int fd = std::exchange(ends_[end], -1); fd >= 0) ::close(fd);
-  }
-  int ends_[2] = {-1, -1};
-};
-
-// Bytes of the work, or, behind what there is of them and a NUL, the words with which it refuses.
-Ending work_into(const Pipe& out, const WorkOfBytes& work) noexcept try {
+// Bytes of the work; where it refuses, those written so far, a NUL, and the words with which it refuses.
+Ending work_into(int pipe, const WorkOfBytes& work) noexcept try {
+  const auto write = [&](std::string_view bytes) { write_to(pipe, bytes, "a pipe"); };
   try {
-    work([&](std::string_view bytes) { out.write(bytes); });
+    work(write);
     return finished;
   } catch (const DataError& error) {
-    out.write(std::string_view("", 1));
-    out.write(error.what());
+    write(std::string_view("", 1));
+    write(error.what());
     return refused;
   }
 } catch (const std::bad_alloc&) {
@@ -101,17 +117,18 @@ Ending work_into(const Pipe& out, const WorkOfBytes& work) noexcept try {
 Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::string& variable) {
   static std::mutex one_at_a_time;  // a child inherits the pipe of another, and signals are the process's
   const std::scoped_lock lock(one_at_a_time);
-  Pipe pipe;
+  auto [read_end, write_end] = pipe_ends();
   const EndOfChildren heard;
   const std::size_t present = address_space();
   const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "a process of its own");
   if (child == 0) {
     confine(limits, parent, present);
-    pipe.only_write();
-    ::_exit(work_into(pipe, work));
+    read_end.close();  // once nobody reads any more, writing ends the child
+    ::_exit(work_into(write_end.fd(), work));
   }
-  Bytes out = pipe.read();
+  write_end.close();
+  Bytes out = read_to_end(read_end.fd(), "a pipe", {});
   const int status = status_of(child);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != finished) refuse(status, out, limits, variable);
   return out;

@@ -1,12 +1,16 @@
 #include "tools/cli/stream.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <stdexcept>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -15,7 +19,8 @@
 
 #include "core/error.hpp"
 #include "core/launch.hpp"
-#include "tools/cli/place.hpp"
+#include "core/words.hpp"
+#include "tools/cli/file_identity.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -108,29 +113,84 @@ Bytes read_all(const std::string& name, const MemoryBound& memory) {
   return bytes;
 }
 
+// ---- out ----
+
 void require_writable(const std::string& name) {
-  const Place place = place_of(name);
-  if (place.kind == Place::Kind::descriptor) return;
-  const auto folder = std::filesystem::path(place.path).parent_path();
+  const OutputTarget target = output_target(name);
+  if (target.kind == OutputTarget::Kind::descriptor) return;
+  const auto folder = std::filesystem::path(target.path).parent_path();
   struct stat status {};
-  const bool present = ::stat(place.path.c_str(), &status) == 0;
+  const bool present = ::stat(target.path.c_str(), &status) == 0;
   if (present && S_ISDIR(status.st_mode)) errno = EISDIR;
   if ((present &&
-       (S_ISDIR(status.st_mode) || ::faccessat(AT_FDCWD, place.path.c_str(), W_OK, AT_EACCESS) != 0)) ||
-      (place.kind == Place::Kind::file &&
+       (S_ISDIR(status.st_mode) || ::faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)) ||
+      (target.kind == OutputTarget::Kind::file &&
        ::faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0))
     fail(name);
 }
 
+namespace {
+
+// What a handler may read at any time.
+std::array<std::atomic<const char*>, 256> names{};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+extern "C" void remove_names_and_end(int signal) {
+  for (const auto& name : names)
+    if (const char* path = name.load()) ::unlink(path);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);  // blocked until this handler returns
+}
+
+void handle_signals() {
+  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ}) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+    action.sa_handler = &remove_names_and_end;
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace
+
+TemporaryName::TemporaryName(std::string path) : path_(std::move(path)) {
+  static const bool handled = (handle_signals(), true);
+  static_cast<void>(handled);
+  for (auto& name : names) {
+    const char* nothing = nullptr;
+    if (name.compare_exchange_strong(nothing, path_.c_str())) return;
+  }
+  throw std::length_error("too many files are being written");
+}
+
+TemporaryName::~TemporaryName() {
+  if (known_) ::unlink(path());
+  forget();
+}
+
+bool TemporaryName::replace(const std::string& target) {
+  if (std::rename(path(), target.c_str()) != 0) return false;
+  forget();
+  return true;
+}
+
+void TemporaryName::forget() {
+  if (!std::exchange(known_, false)) return;
+  for (auto& name : names) {
+    const char* mine = path();
+    if (name.compare_exchange_strong(mine, nullptr)) return;
+  }
+}
+
 OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
-  const Place place = place_of(name_);
+  const OutputTarget target = output_target(name_);
   if (name_ == "-") {
     name_ = "standard output";
     fd_ = STDOUT_FILENO;
-  } else if (place.kind == Place::Kind::descriptor) {
-    fd_ = ::fcntl(place.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  } else if (place.kind == Place::Kind::file) {
-    target_ = place.path;
+  } else if (target.kind == OutputTarget::Kind::descriptor) {
+    fd_ = ::fcntl(target.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  } else if (target.kind == OutputTarget::Kind::file) {
+    target_ = target.path;
     open_replacement();
   } else {
     fd_ = ::open(name_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -185,8 +245,8 @@ void OutputFile::rewrite(std::string_view bytes) {
 
 void OutputFile::write_at(std::string_view bytes, std::int64_t at) {
   put_all(bytes, name_, [&](std::string_view rest) {
-    const auto behind = at + (rest.data() - bytes.data());
-    return ::pwrite(fd_, rest.data(), rest.size(), static_cast<off_t>(behind));
+    const auto place = at + (rest.data() - bytes.data());
+    return ::pwrite(fd_, rest.data(), rest.size(), static_cast<off_t>(place));
   });
 }
 
@@ -208,22 +268,32 @@ void write_all(const std::string& name, std::string_view bytes) {
   file.close();
 }
 
-bool has_place_for_number(const std::string& pattern) {
-  const auto percent = pattern.find('%'), end = pattern.find('d', percent);
-  if (percent == pattern.npos || end == pattern.npos) return false;
-  const std::string width = pattern.substr(percent + 1, end - percent - 1);
-  return width.size() <= 2 && width.find_first_not_of("0123456789") == width.npos;
+// ---- names and terminals ----
+
+namespace {
+
+// The "%04d" of a pattern; empty without one.
+std::string_view place_for_number(std::string_view pattern) {
+  const std::size_t percent = pattern.find('%'), end = pattern.find('d', percent);
+  if (percent == pattern.npos || end == pattern.npos) return {};
+  const std::string_view width = pattern.substr(percent + 1, end - percent - 1);
+  const bool good = width.size() <= 2 && width.find_first_not_of("0123456789") == width.npos;
+  return good ? pattern.substr(percent, end - percent + 1) : std::string_view();
 }
 
+}  // namespace
+
+bool has_place_for_number(const std::string& pattern) { return !place_for_number(pattern).empty(); }
+
 std::string numbered(const std::string& option, const std::string& pattern, std::int64_t number) {
-  if (!has_place_for_number(pattern))
+  const std::string_view place = place_for_number(pattern);
+  if (place.empty())
     throw ParameterError(option, "'" + pattern + "' has no place for the number: write s_%04d.nc");
-  const auto percent = pattern.find('%'), end = pattern.find('d', percent);
-  const std::string width = pattern.substr(percent + 1, end - percent - 1);
-  std::string digits = std::to_string(number);
-  const std::size_t least = width.empty() ? 0 : std::stoul(width);
-  if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
-  return pattern.substr(0, percent) + digits + pattern.substr(end + 1);
+  const std::string digits = std::to_string(number);
+  const auto least = to_number<std::size_t>(place.substr(1, place.size() - 2)).value_or(0);
+  std::string out = pattern;
+  return out.replace(static_cast<std::size_t>(place.data() - pattern.data()), place.size(),
+                     std::string(least - std::min(least, digits.size()), '0') + digits);
 }
 
 void refuse_terminal(const std::string& output, const std::string& what, const std::string& hint) {

@@ -1,10 +1,10 @@
 /// Bytes in and out: a file by name, or "-" for standard input and output.
 ///
-/// A file gets its name when it is complete. Until then it has none, or a temporary one beside its own where
+/// A file gets its name when it is complete. Until then it has none, or a temporary one next to its own where
 /// the system has no unnamed files: nobody sees half of it, and an interrupted run leaves nothing behind. It
 /// replaces a former file with its mode, and its owner and group where permitted; a write-protected file is
-/// not replaced, as with cp. A device, a pipe or an open file (cli/place.hpp) is written from its present
-/// position. Every write is checked, the last flush too; failures are std::system_error with the name.
+/// not replaced, as with cp. A device, a pipe or an open file (cli/file_identity.hpp) is written from its
+/// present position. Every write is checked, also the last flush; failures are std::system_error with a name.
 #pragma once
 
 #include <cstdint>
@@ -66,7 +66,7 @@ class OutputFile {
   bool rewritable() const { return rewritable_; }
   /// Replaces the first bytes.
   void rewrite(std::string_view bytes);
-  /// Writes behind what has been written, `at` bytes from the beginning: in any order, where rewrite() works.
+  /// Writes after what has been written, `at` bytes from the beginning: in any order, where rewrite() works.
   void write_at(std::string_view bytes, std::int64_t at);
   /// Flushes, and gives the file its name.
   void close();

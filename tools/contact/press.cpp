@@ -10,8 +10,8 @@
 #include "contact/outline.hpp"
 #include "contact/stiffness.hpp"
 #include "dataset/layout.hpp"
-#include "tools/cli/grid_words.hpp"
 #include "tools/cli/lineage.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "transform/refinement.hpp"
 
 namespace asperity::cli {

@@ -9,8 +9,7 @@
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/summits.hpp"
 #include "stats/sample/moments.hpp"
-#include "tools/cli/grid_words.hpp"
-#include "tools/cli/heights_words.hpp"
+#include "tools/cli/surface_words.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -61,7 +60,7 @@ Periodic periodic(const ContactOptions& o, const Grid& grid) {
 
 // Of the rows of this rank; the first one has all.
 Field with_doubts(const Tool& tool, Field heights, const Grid& grid) {
-  if (tool.speaks())
+  if (tool.is_first_rank())
     warn_of_heights(tool, Proportions(heights, grid), "m", "asperity-filter --remove-form plane");
   return heights;
 }

@@ -10,7 +10,7 @@
 #include "core/words.hpp"
 #include "stats/filter/resampling.hpp"
 #include "stats/filter/seam.hpp"
-#include "tools/cli/grid_words.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/filter/chain.hpp"
 #include "transform/refinement.hpp"
 

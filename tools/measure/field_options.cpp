@@ -12,10 +12,10 @@
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
-#include "tools/cli/heights_words.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/measure/preparation_words.hpp"
 #include "tools/surface/marginal.hpp"
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "dataset/layout.hpp"
-#include "tools/cli/grid_words.hpp"
 #include "tools/cli/record.hpp"
+#include "tools/cli/surface_words.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/parts.hpp"
 #include "tools/report/style.hpp"

@@ -101,7 +101,7 @@ StressWriter::StressWriter(const Tool& tool, StressScene& scene, const StressSel
       steps_(tool, {"layer", "depth [um]", "greatest " + outputs_[0].name + " [MPa]"}) {}
 
 void StressWriter::write(const std::function<void(Attributes&)>& finish) {
-  if (tool_.speaks()) return write_all(finish);
+  if (tool_.is_first_rank()) return write_all(finish);
   if (scene_.body.ranks->count() == 1) return;  // all ranks alike
   for (Index pass = agreed_passes(0); pass > 0; --pass) layers({});
 }

@@ -6,9 +6,9 @@
 #include "dataset/layout.hpp"
 #include "surface/running_moments.hpp"
 #include "tools/cli/dataset_stream.hpp"
-#include "tools/cli/heights_words.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/cli/surface_words.hpp"
 
 namespace asperity::cli {
 namespace {

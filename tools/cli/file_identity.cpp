@@ -1,4 +1,4 @@
-#include "tools/cli/place.hpp"
+#include "tools/cli/file_identity.hpp"
 
 #include <fcntl.h>
 #include <filesystem>
@@ -41,27 +41,28 @@ Identity identity_unless_device(bool present, const struct stat& status) {
 
 }  // namespace
 
-Place place_of(const std::string& name) {
-  if (name == "-") return {Place::Kind::descriptor, name, STDOUT_FILENO};
+OutputTarget output_target(const std::string& name) {
+  if (name == "-") return {OutputTarget::Kind::descriptor, name, STDOUT_FILENO};
   std::error_code none;
   fs::path target = name;
   for (int links = 0; links < 40 && fs::is_symlink(target, none); ++links) {
     if (stands_for_open_file(target)) {
       const int own = own_descriptor(target);
-      return {own < 0 ? Place::Kind::other : Place::Kind::descriptor, target, own};
+      return {own < 0 ? OutputTarget::Kind::other : OutputTarget::Kind::descriptor, target, own};
     }
     target = target.parent_path() / fs::read_symlink(target, none);
   }
   const bool replaceable = !fs::exists(target, none) || fs::is_regular_file(target, none);
-  return {replaceable ? Place::Kind::file : Place::Kind::other, target, -1};
+  return {replaceable ? OutputTarget::Kind::file : OutputTarget::Kind::other, target, -1};
 }
 
-Identity identity_of_output(const Place& place) {
+Identity identity_of_output(const std::string& name) {
+  const OutputTarget target = output_target(name);
   struct stat status {};
-  if (place.kind == Place::Kind::descriptor)
-    return identity_unless_device(::fstat(place.descriptor, &status) == 0, status);
-  if (::stat(place.path.c_str(), &status) == 0) return identity_unless_device(true, status);
-  const fs::path path = place.path;
+  if (target.kind == OutputTarget::Kind::descriptor)
+    return identity_unless_device(::fstat(target.descriptor, &status) == 0, status);
+  if (::stat(target.path.c_str(), &status) == 0) return identity_unless_device(true, status);
+  const fs::path path = target.path;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   return ::stat(folder.c_str(), &status) == 0 ? identity(status, path.filename()) : Identity();
 }

@@ -8,7 +8,8 @@
 
 namespace asperity::cli {
 
-struct Place {
+/// Where the bytes of an output go.
+struct OutputTarget {
   enum class Kind {
     file,        ///< a regular file, or none yet: it can be replaced
     descriptor,  ///< a file that this process has open
@@ -16,15 +17,16 @@ struct Place {
   };
   Kind kind = Kind::file;
   std::string path;     ///< at the end of the links
-  int descriptor = -1;  ///< of Kind::descriptor, and "-" of an output
+  int descriptor = -1;  ///< of Kind::descriptor
 };
-
-/// Of an output: "-" is standard output.
-Place place_of(const std::string& name);
+OutputTarget output_target(const std::string& name);  ///< "-" is standard output
+inline bool replaces_file(const std::string& output) {
+  return output_target(output).kind == OutputTarget::Kind::file;
+}
 
 /// The same for all names of a regular file or a pipe; empty for devices and for a missing input.
 using Identity = std::string;
-Identity identity_of_output(const Place& place);
+Identity identity_of_output(const std::string& name);
 Identity identity_of_input(const std::string& name);  ///< "-" is standard input
 
 }  // namespace asperity::cli

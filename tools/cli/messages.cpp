@@ -1,0 +1,116 @@
+#include "tools/cli/messages.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "core/words.hpp"
+#include "tools/cli/hints.hpp"
+#include "tools/cli/options.hpp"
+#include "tools/cli/ordered_work.hpp"
+#include "tools/cli/progress.hpp"
+
+namespace asperity::cli {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// What two warnings of one kind have in common.
+std::string without_numbers(const std::string& text) {
+  std::string out;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    const bool exponent = c == 'e' && k > 0 && is_digit(text[k - 1]) && k + 1 < text.size() &&
+                          (is_digit(text[k + 1]) || text[k + 1] == '-' || text[k + 1] == '+');
+    if (!is_digit(c) && c != '.' && c != '-' && c != '+' && !exponent) out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<std::string> Messages::Repeated::first(const std::string& surface, const std::string& text) {
+  const bool named = text.starts_with(surface + ": ");
+  const std::string own = named ? text.substr(surface.size() + 2) : text, words = without_numbers(own);
+  if (!seen_.insert(surface + ": " + own).second) return std::nullopt;
+  const auto known = std::ranges::find(kinds_, words, &Kind::words);
+  if (known == kinds_.end()) {
+    kinds_.push_back({words});
+    return surface + ": " + own;
+  }
+  ++known->more;
+  known->surface = surface;
+  known->text = own;
+  return std::nullopt;
+}
+
+std::vector<std::string> Messages::Repeated::rest() {
+  std::vector<std::string> out;
+  for (const auto& [words, more, surface, text] : std::exchange(kinds_, {}))
+    if (more == 1)
+      out.push_back(surface + ": " + text);
+    else if (more > 1)
+      out.push_back(counted(more, "more surface") + ", up to " + surface + ": " + text);
+  return out;
+}
+
+void Messages::declare(Options& options) {
+  options.flag("-q,--quiet", quiet_, "Print warnings and errors only", "Common");
+  options.flag("-v,--verbose", verbose_,
+               "Print details on standard error: a line for each step of an iteration", "Common");
+}
+
+void Messages::say(const std::string& line) { Progress::say(one_line(line)); }
+
+void Messages::warn(const std::string& text) const {
+  in_order([this, text] {
+    const std::optional<std::string> line = subject_.empty() ? text : warnings_.first(subject_, text);
+    if (line) say(tool_ + ": warning: " + with_options(*line, options_));
+  });
+}
+
+void Messages::note(const std::string& text) const {
+  in_order([this, text] {
+    const std::optional<std::string> line = subject_.empty() ? text : notes_.first(subject_, text);
+    if (line && !quiet_) say(tool_ + ": " + with_options(*line, options_));
+  });
+}
+
+void Messages::about(const std::string& surface) const {
+  in_order([this, surface] {
+    subject_ = surface;
+    if (!surface.empty()) return;
+    for (const std::string& line : warnings_.rest()) warn(line);
+    for (const std::string& line : notes_.rest()) note(line);
+  });
+}
+
+void Messages::detail(const std::string& text) const {
+  if (verbose_) in_order([text] { say(text); });
+}
+
+std::string sentence(const std::string& subject, const std::string& text) {
+  constexpr std::string_view verbs[] = {"is ",  "are ",     "needs ", "cannot ", "must ",
+                                        "has ", "belongs ", "does ",  "applies "};
+  const bool verb = std::ranges::any_of(verbs, [&](std::string_view v) { return text.starts_with(v); });
+  return subject + (verb ? " " : ": ") + text;
+}
+
+std::string with_options(std::string text, const Options& options) {
+  std::string elsewhere;
+  for (std::size_t at = 0; (at = text.find('`', at)) != text.npos;) {
+    const std::size_t end = text.find('`', at + 1);
+    if (end == text.npos) break;
+    const std::string option = "--" + text.substr(at + 1, end - at - 1);
+    if (!is_option(option)) {
+      at = end;
+      continue;
+    }
+    text.replace(at, end - at + 1, option);
+    at += option.size();
+    if (elsewhere.empty() && !options.has(option)) elsewhere = tool_with(option);
+  }
+  return text + elsewhere;
+}
+
+}  // namespace asperity::cli

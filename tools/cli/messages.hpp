@@ -1,0 +1,65 @@
+/// Messages to the user: one line each on standard error, in place of a line of progress.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity::cli {
+
+class Options;
+
+class Messages {
+ public:
+  Messages(std::string tool, const Options& options) : tool_(std::move(tool)), options_(options) {}
+
+  void declare(Options& options);  ///< --quiet, --verbose
+
+  bool quiet() const { return quiet_; }
+  bool verbose() const { return verbose_; }
+  /// "TOOL: text"; a warning is printed even with --quiet, a note only without it. Those of several datasets
+  /// come in the order of these, and so does about().
+  void warn(const std::string& text) const;
+  void note(const std::string& text) const;
+  void detail(const std::string& text) const;  ///< with --verbose only
+  /// From here on, warnings and notes are about one of several surfaces: of those that differ in numbers
+  /// alone the first is printed, the others are counted. After "", which prints the counts, they are about
+  /// the run.
+  void about(const std::string& surface) const;
+  /// A line as it is, but for what could control a terminal.
+  static void say(const std::string& line);
+
+ private:
+  std::string tool_;
+  const Options& options_;
+  bool quiet_ = false, verbose_ = false;
+  // Warnings or notes of several surfaces.
+  class Repeated {
+   public:
+    /// The line to print now, "s_1.nc: text"; none if one of other numbers has been printed, or this for the
+    /// same surface.
+    std::optional<std::string> first(const std::string& surface, const std::string& text);
+    /// A line for each kind that came again, "3 more surfaces, up to s_9.nc: text"; begins anew.
+    std::vector<std::string> rest();
+
+   private:
+    struct Kind {
+      std::string words;  ///< without numbers
+      int more = 0;
+      std::string surface = {}, text = {};  ///< of the last
+    };
+    std::vector<Kind> kinds_;
+    std::set<std::string> seen_ = {};
+  };
+  mutable std::string subject_;  ///< of warnings: one of several surfaces
+  mutable Repeated warnings_, notes_;
+};
+
+/// "--load is required", but "--load: '5' has no unit".
+std::string sentence(const std::string& subject, const std::string& text);
+/// The library names parameters between ` and `; here they are options, perhaps of another tool.
+std::string with_options(std::string text, const Options& options);
+
+}  // namespace asperity::cli
