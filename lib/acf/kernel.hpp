@@ -39,8 +39,8 @@
 #include <string_view>
 
 #include "acf/target.hpp"
-#include "core/field.hpp"
 #include "core/enum_words.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

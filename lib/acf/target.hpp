@@ -38,8 +38,8 @@
 #include <span>
 #include <type_traits>
 
-#include "core/field.hpp"
 #include "core/enum_words.hpp"
+#include "core/field.hpp"
 
 namespace asperity {
 

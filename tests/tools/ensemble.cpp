@@ -92,7 +92,8 @@ TEST_CASE("of warnings that differ in numbers alone the first is printed, one mo
       out.erase(at, 1);  // names and shares have such
     return out;
   };
-  const std::string filled = "% of the points were filled; errors take them for measured, and are too small\n",
+  const std::string filled =
+                        "% of the points were filled; errors take them for measured, and are too small\n",
                     first = "asperity-pdf: warning: filled_nc:  " + filled;
   CHECK(warnings("filled_1.nc filled_2.nc") == first + first);
   CHECK(warnings("filled_1.nc filled_2.nc filled_3.nc") ==

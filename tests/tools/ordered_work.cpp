@@ -192,7 +192,9 @@ TEST_CASE("the error of a surface among others comes in order", "[ordered_work][
 TEST_CASE("messages of the files before standard input name these files", "[ordered_work][contract]") {
   draw();
   check_alike(
-      "cat t_02.nc | asperity-filter --scale 2 t_01.nc - t_03.nc --threads THREADS -o piped_%d.nc; rm piped_*", 0);
+      "cat t_02.nc | asperity-filter --scale 2 t_01.nc - t_03.nc --threads THREADS -o piped_%d.nc; rm "
+      "piped_*",
+      0);
   check_alike("cat t_05.nc | head -c 700 | asperity-stats --threads THREADS t_01.nc t_02.nc - t_03.nc", 4);
 }
 

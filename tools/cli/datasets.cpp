@@ -10,12 +10,12 @@
 #include "tools/cli/file_identity.hpp"
 #include "tools/cli/messages.hpp"
 #include "tools/cli/options.hpp"
+#include "tools/cli/ordered_work.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/run_settings.hpp"
 #include "tools/cli/stream.hpp"
-#include "tools/cli/ordered_work.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -167,8 +167,7 @@ std::string Datasets::in_file(const DataError& error) const {
   std::string line = sentence(error.name, error.what());
   const KnownResult* result = result_of_variable(error.name);
   const bool missing = dynamic_cast<const MissingVariable*>(&error) != nullptr;
-  if (missing && (error.name == "x" || error.name == "y"))
-    line += ". `size` gives a bare array its axes";
+  if (missing && (error.name == "x" || error.name == "y")) line += ". `size` gives a bare array its axes";
   if (missing && result != nullptr && result->name != "heights")
     line += ". asperity-" + std::string(result->prefix.substr(0, result->prefix.find('_'))) + " computes it";
   const bool named = last_read.empty() || last_read == "-" || line.starts_with(last_read + ": ");

@@ -72,8 +72,8 @@ void check_wsxm(const Map& map, std::string_view bytes) {
                  taken =
                      map.spacing[x ? 0 : 1] * static_cast<double>(x ? map.values.rows() : map.values.cols());
     if (!(std::abs(taken - size) <= 1e-3 * size))
-      throw DataError("map", fmt::format("Gwyddion takes {} '{}' for {} m: give its `size`",
-                                         key, one_line(head.text(key), 24), taken));
+      throw DataError("map", fmt::format("Gwyddion takes {} '{}' for {} m: give its `size`", key,
+                                         one_line(head.text(key), 24), taken));
   }
 }
 

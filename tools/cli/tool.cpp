@@ -25,7 +25,10 @@ void keep_standard_streams() {
 }  // namespace
 
 Tool::Tool(const std::string& name, const std::string& description)
-    : Options(name, description), Messages(name, *this), RunSettings(*this, *this), Datasets(*this, *this, *this) {
+    : Options(name, description),
+      Messages(name, *this),
+      RunSettings(*this, *this),
+      Datasets(*this, *this, *this) {
   exit_status(done, "done");
   exit_status(runtime_error, "input or output failed");
   exit_status(usage_error, "wrong usage");

@@ -9,8 +9,8 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "stats/filter/outliers.hpp"
 #include "stats/filter/morphology.hpp"
+#include "stats/filter/outliers.hpp"
 #include "stats/height/distribution.hpp"
 #include "tools/filter/chain.hpp"
 #include "tools/measure/preparation_words.hpp"

@@ -52,7 +52,8 @@ struct Part {
   explicit Part(const CountedCells& of, int threads = 1) : cells(of) {
     if (height_range(of.values).width() > 0)
       values.emplace(
-          Surface{.grid = of.grid, .heights = of.values, .variable = of.variable, .units = of.units}, threads);
+          Surface{.grid = of.grid, .heights = of.values, .variable = of.variable, .units = of.units},
+          threads);
   }
 };
 /// So many bins from 0 to `largest`. Columns: the variable, count, standard_error, low_95, high_95, share of
