@@ -71,7 +71,8 @@ class Datasets {
   void settle(Dataset& dataset, const std::string& name = "-") const;
 
   void write(Dataset& dataset);  ///< to --output, after history, source and --report
-  /// To another file, which gets its name in order (cli/ordered_work.hpp). `lines`: what the run did, as of sign().
+  /// To another file, which gets its name in order (cli/ordered_work.hpp). `lines`: what the run did, as of
+  /// sign().
   void write(Dataset& dataset, const std::string& name, const std::vector<std::string>& lines = {}) const;
   void write_text(const std::string& text) const;  ///< to --output, every byte checked
   // The parts of write(), for a tool that writes its dataset piece by piece.

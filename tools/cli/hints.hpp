@@ -20,7 +20,7 @@ std::string nearest_tool(const std::string& word);
 
 /// Of any tool, "--size".
 bool is_option(const std::string& name);
-/// "; asperity-convert has --size", of an option that a tool lacks; "" where neither that nor asperity-filter has it.
+/// "; asperity-convert has --size"; "" of an option that neither this nor asperity-filter has.
 std::string tool_with(const std::string& option);
 
 /// The message of an error of CLI11.
