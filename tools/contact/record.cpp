@@ -14,6 +14,7 @@
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/lineage.hpp"
+#include "tools/cli/plain_text.hpp"
 #include "tools/cli/record.hpp"
 
 namespace asperity::cli {
@@ -83,29 +84,11 @@ struct Energies {
 constexpr Quantity<Energies> energy_quantities[] = {{"contact_elastic_energy", &Energies::elastic},
                                                     {"contact_plastic_work", &Energies::plastic, if_known}};
 
-// The columns of a sweep, each with its error.
-constexpr AttributeName load_columns[] = {"contact_load",
-                                          "contact_approach",
-                                          "contact_area",
-                                          "contact_area_corrected",
-                                          "contact_plastic_area",
-                                          "contact_mean_gap",
-                                          "contact_stiffness",
-                                          "contact_max_pressure",
-                                          "contact_residual",
-                                          "contact_convolutions",
-                                          "contact_converged",
-                                          "contact_area_share",
-                                          "contact_reduced_pressure",
-                                          "contact_kappa",
-                                          "contact_reduced_gap",
-                                          "contact_sphere_roughness",
-                                          "contact_elastic_energy",
-                                          "contact_plastic_work",
-                                          "contact_patches",
-                                          "contact_largest_patch",
-                                          "contact_percolates_x",
-                                          "contact_percolates_y"};
+// The columns of a sweep, without contact_.
+constexpr std::string_view load_columns =
+    "load approach area area_corrected plastic_area mean_gap stiffness max_pressure residual convolutions "
+    "converged area_share reduced_pressure kappa reduced_gap sphere_roughness elastic_energy plastic_work "
+    "patches largest_patch percolates_x percolates_y";
 
 // ---- attributes ----
 
@@ -183,15 +166,16 @@ std::optional<Patches> record_load(Attributes& a, const ContactScene& scene, con
   return patches;
 }
 
-// The columns of a sweep that have something recorded. The load is prescribed and has no error.
+// The columns of a sweep that have something recorded, with errors. The load is prescribed and has none.
 std::vector<Column> columns_of(const Attributes& recorded, bool errors) {
   std::vector<Column> out;
-  for (const AttributeName& name : load_columns) {
-    if (!recorded.find(name.text)) continue;
-    const KnownAttribute& known = name.known();
-    const std::string unit(known.column_unit()), shown(name.text.substr(std::string_view("contact_").size()));
+  for (const std::string_view word : words_of(load_columns)) {
+    const std::string shown(word), name = "contact_" + shown;
+    if (!recorded.find(name)) continue;
+    const KnownAttribute& known = *known_attribute(name);
+    const std::string unit(known.column_unit());
     out.push_back({shown, unit, known.open ? Holds::open : Holds::known});
-    if (errors && shown != "load" && known_attribute(error_name(name.text)))
+    if (errors && shown != "load" && known_attribute(error_name(name)))
       out.push_back({error_name(shown), unit, Holds::unknown});
   }
   return out;
