@@ -287,12 +287,6 @@ int main(int argc, char** argv) {
       "--load 5000N -o smooth.nc");
   tool.essential({"--radius", "--young", "--poisson", "--load", "--approach", "--yield", "--boundary",
                   "--smooth", "--sweep", "--add", "--accuracy", "--output"});
-  tool.accuracy(
-      "The bounds hold exactly and the load to 1e-12; a fresh convolution confirms the residual. With n "
-      "cells across "
-      "a Hertzian contact the maximum pressure errs by 0.9/n^2, the approach by 0.2/n^2. The stiffness errs "
-      "by at "
-      "most its residual, 1e-6, and by the outline of the cells: some 0.1/n for spheres.");
 
   return tool.run(argc, argv, [&] {
     options.check(tool);

@@ -184,9 +184,6 @@ int main(int argc, char** argv) {
   tool.text("--variable", o.variable, "NAME", "Field on (x, y) to read; it becomes the map", "Result");
   tool.output_of_any_format();
   tool.example("asperity-convert map.x3p -o map.gsf");
-  tool.accuracy(
-      "All formats keep doubles exactly, except gsf, which holds 24 bits, and sur: the nearest of 2^31 steps "
-      "from the lowest to the highest, and 24 bits of a spacing.");
   tool.essential({"INPUT", "-o", "--to", "--from", "--size", "--unit", "--variable", "--xyz", "--missing"});
   return tool.run(argc, argv, [&] { return convert(tool, o); });
 }

@@ -102,11 +102,6 @@ int main(int argc, char** argv) {
   tool.example(
       "asperity-filter map.x3p --remove-form plane --outliers 5 --fill laplace --lambda-s 8um --lambda-c "
       "0.8mm | asperity-stats");
-  tool.accuracy(
-      "Polynomial forms, quarter turns, mirrors, cuts, and the Gaussian filter of a periodic map are exact "
-      "to round-off. Elsewhere a filter is less exact within a cut-off of an edge or of a hole. Parameters "
-      "of the written map are those that asperity-stats measures with the same --remove-form, --lambda-s and "
-      "--lambda-c, to round-off.");
   tool.essential({"INPUT", "--remove-form", "--lambda-s", "--lambda-c", "--outliers", "--fill", "--crop",
                   "--rotate", "--output"});
   return tool.run(argc, argv, [&] { return filter_all(tool, surfaces, variable); });

@@ -32,13 +32,6 @@ void declare(cli::Tool& tool, Options& o) {
   tool.essential({"--length", "--model", "--length-level", "--angle", "--acf", "--rq", "--spacing", "--lags",
                   "--acf-tolerance", "--method", "--report", "--output"});
   tool.example("asperity-kernel --length 17px,4px --report kernel.json -o kernel.nc");
-  tool.accuracy(
-      "The residual at the prescribed lags is below --tolerance. Without --lags, and unless a table ends, "
-      "the error "
-      "over all lags of the plane is below --acf-tolerance: kernel_error. Patir's formulation is wrong by "
-      "about "
-      "0.1 at the mirrored lags (p,-q): kernel_mirrored_error. If a target has no kernel, a warning and "
-      "kernel_change state how it was changed.");
 }
 
 // Without --shape that of the table's own period; a table of another is one as of any surface.

@@ -173,23 +173,6 @@ void document(cli::Tool& tool) {
                   "--lambda-c", "--correlation", "--json", "--output", "--from"});
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-pdf --bins 40");
-  tool.accuracy(
-      "Counts and quantiles are exact, the kernel sum to 2e-14. Standard errors of counts and densities "
-      "come from the field's own longest waves, whatever its correlation and the distribution of its "
-      "heights, for heights measured from the mean of the field; so do those of a pressure and a gap, and "
-      "those of quantiles where the correlation is estimated. Errors of neighbouring rows are "
-      "correlated. Stated over true errors and coverage of the intervals, seen on eleven textures at N_eff "
-      "of "
-      "290 to 1230, were 0.93 to 1.13, 92 to 98 % for densities and 0.94 to 1.07, 88 to 98 % for shares of "
-      "half a Sq. A bin of less than ten counts has the "
-      "interval of so many independent points as the next bin has, and an empty one an interval from 0 on; "
-      "where fewer than two independent heights tell of a row, it has no standard error. "
-      "Of 200 periodic contacts under one load, with correlation lengths of 1/32 and 1/16 of the side, 93 to "
-      "99 % of the intervals of the quartiles of the pressure, and 92 to 98 % of those of the gap, hold "
-      "their mean; under one approach, which the mean height shifts, 80 to 85 and 44 to 54 %. "
-      "The misfit alone assumes a Gaussian: it is the difference from it over the standard error that this "
-      "has if the heights are Gaussian, of this correlation, with the mean and Sq fitted. Then 95 % of the "
-      "misfits lie within 2, except in bins of a few counts and for the outermost quantiles.");
 }
 
 }  // namespace

@@ -244,18 +244,6 @@ int main(int argc, char** argv) {
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "
       "| asperity-plot --kind map -o heights.png");
-  tool.accuracy(
-      "Maps and profiles show the values unchanged; missing points are hatched in grey. Sections interpolate "
-      "linearly between cells and between depths, with lines of equal value at the numbers of the colour bar "
-      "and a cross at the largest value that was computed. A surface of more than 128 points per side is "
-      "thinned, and its title says so. Where an axis is stretched, a label gives the factor: in maps and "
-      "sections that of x, in perspective that of the heights. Colours are viridis; those of values that "
-      "pull "
-      "or push run from blue to red, white at zero. Spectra, quantiles and material ratios are the numbers "
-      "of "
-      "asperity-psd, -pdf and -stats with their defaults; points of a spectrum without a known error are "
-      "hollow. The same dataset gives the same bytes with the same gnuplot and fonts. Letters are 7 pt high "
-      "when 1, 2 or 3 columns are printed 8, 11.5 or 15 cm wide.");
   tool.essential({"INPUT", "-o", "--kind", "--variable", "--section", "--x-range", "--y-range", "--range",
                   "--title", "--labels", "--columns", "--pixels"});
   return tool.run(argc, argv, [&] { return draw(tool, options); });

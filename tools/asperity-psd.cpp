@@ -195,27 +195,6 @@ void declare(cli::Tool& tool, Options& what) {
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-psd --result "
       "radial");
-  tool.accuracy(
-      "Without a window the PSD adds up to Sq squared to round-off: sum / (Lx Ly) over all wave numbers of "
-      "both signs, or sum / L for a profile: values at wave number 0 once, at others twice, those of the "
-      "dataset at wave_number_x > 0 twice. Of an even number of points the wave of two points, pi / dx or "
-      "pi / dy, is its own mirror image, and each sign has half of its power. Standard errors and 95 % "
-      "intervals allow for the power that neighbouring wave numbers share under a window, and for "
-      "amplitudes that stray from place to place by the field's own long waves, unless heights were drawn "
-      "Gaussian; intervals are those of chi-squared. Stated over true errors and coverage of the intervals, "
-      "seen on simulated fields of eleven textures at wave numbers 2 to 40, were 0.83 to 1.25, 91 to 99 % "
-      "at N_eff of 290 to 1230, 0.88 to 1.24, 91 to 99 % at 33 to 140, and 0.84 to 1.41, 88 to 99 % at 8 to "
-      "35. A density without an error says why in the column no_error: form, one of the longest waves, "
-      "which the removed mean or form took; flat, all heights are the same; leakage, a tenth of it or more "
-      "may come from other waves "
-      "through the window (three tenths without one); resolution, the window smooths the spectrum there by "
-      "more than half an error; holes, missing points spread other waves there: fill them first "
-      "(asperity-filter --fill). A single wave number of the dataset is uncertain by its own value "
-      "(psd_relative_error 1, psd_degrees_of_freedom 2): 95 % from 0.271 to 39.5 times psd. Wave numbers "
-      "are 2 pi / wavelength. Missing points are set to the mean, and the sum is divided by the squared "
-      "window over the other points: a share g of scattered holes adds about g Sq^2 dx dy at every wave "
-      "number. Over several surfaces the standard error is the spread divided by the square root of their "
-      "number, whatever the distribution of heights.");
 }
 
 }  // namespace

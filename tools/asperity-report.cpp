@@ -104,14 +104,6 @@ int main(int argc, char** argv) {
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "
       "| asperity-report -o surface.html");
-  tool.accuracy(
-      "The numbers and errors are those of asperity-stats (height, spatial, hybrid), rounded to two digits "
-      "of the standard error, or to four digits without one; the page's data elements hold the exact SI "
-      "values. Errors of the grid that the dataset of a contact lacks are computed, as --add grid_errors of "
-      "asperity-contact and asperity-stress does, from the contact on coarser cells; where that cannot be "
-      "done the page says why. Pictures are those of asperity-plot and show the dataset unfiltered. The page "
-      "loads nothing "
-      "and runs no script. With SOURCE_DATE_EPOCH, the same dataset gives the same bytes.");
   tool.essential({"INPUT", "-o", "--title", "--variable", "--remove-form", "--lambda-s", "--lambda-c",
                   "--correlation", "--threads", "--from", "--quiet"});
   return tool.run(argc, argv, [&] { return report_on(tool, options); });

@@ -111,27 +111,6 @@ void document(cli::Tool& tool) {
                   "--direction", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
                   "--output"});
   tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
-  tool.accuracy(
-      "Moments have twelve correct digits, even for 1 nm of roughness on an offset of 1 m. Slopes and "
-      "curvatures use differences of neighbouring points: for a wave of n points per period they are low by "
-      "a fraction of 1.6/n^2 (Sdq) to 6.6/n^2 (m4). A summit is a point or a plateau above all around it. "
-      "Heights in steps leave fewer summits, and errors of slopes, curvatures and summits are dashes where "
-      "steps matter; --lambda-s smooths them. Sk rests on the first of several flattest secants (ISO "
-      "13565-2). Standard errors and 95 % intervals allow for the correlation of the heights and for a form "
-      "that was removed. They were compared with the spread of 2000 simulated fields of each of eleven "
-      "textures, with a correlation estimated from each field. Stated over true errors and coverage of the "
-      "intervals were 0.83 to 1.33, 87 to 100 % at N_eff of 290 to 1230, and 0.75 to 2.13, 81 to 100 % at "
-      "33 to 140, the least and the most of all but Sku, the slowest decay and directions. "
-      "validation/RESULTS.md has each quantity. Of isotropic surfaces Sal and Str are low, by up to 1.8 "
-      "errors. A form of a high degree takes what Sal is measured from: with forms of degree 3, 4 and 6, "
-      "intervals of Sal held the true value in 91, 89 and 78 % of exponential fields of N_eff = 577. Errors "
-      "are rough below N_eff = 10, or 20 with an estimated correlation; none are given below half of that. "
-      "Intervals are open where a quantile or a length may lie beyond the field. Effective sample sizes of "
-      "a known correlation are exact, and print a dash. Where the correlation is known, errors of the "
-      "height parameters hold to first order in 1/N_eff. A dash, nan in a pipe, marks a quantity without an "
-      "interval. Of a flat surface what grows with the heights is 0, and the rest is unknown. Tests of "
-      "heights "
-      "that stand on steps, as of an instrument, judge between the steps.");
 }
 
 }  // namespace

@@ -92,22 +92,6 @@ int main(int argc, char** argv) {
   cli::StressOptions options;
   options.declare(tool);
   tool.example("asperity-stress --depths 0:0.8mm:32 --components von_mises,zz pressed.nc -o stress.nc");
-  tool.accuracy(
-      "The stress below a pressure constant in each cell is exact to 1e-14; for a periodic contact, the "
-      "stress of the "
-      "waves through the cells' pressures, with a body held at its sides under the mean pressure. Layers ten "
-      "cells "
-      "deep and more are exact to 2e-6 of the maximum pressure, or in full with --resolution full; --points "
-      "of a free "
-      "contact to 4e-13 of their stress at any distance. With n cells across a Hertz contact the largest von "
-      "Mises "
-      "stress errs by 0.95/n^2. From two cells' depth on, every value is within 1 % of the maximum pressure, "
-      "with "
-      "friction up to 0.5. Above that depth, cells within two cells of an edge of the contact may be off by "
-      "9 %, for "
-      "Poisson's ratios nu below 0.1 by 11 (1 - 2 nu) %, and by 26 % of the friction more; a maximum there "
-      "rests on "
-      "single cells: compare stress_max_depth with stress_accurate_depth.");
 
   return tool.run(argc, argv, [&] {
     options.check(tool);

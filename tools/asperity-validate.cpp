@@ -167,20 +167,6 @@ void document(cli::Tool& tool) {
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 12px --seed 1 --count 20 -o "
       "s_%02d.nc && asperity-validate s_*.nc");
-  tool.accuracy(
-      "If Gaussian heights are prescribed, errors follow from theory; else from 200 surfaces, or four "
-      "for each of more than fifty, that are drawn as prescribed with the same missing points, which "
-      "takes 0.25 s of one core for 128x128 points and 12 s for 1024x1024. Ssk is then judged by Ssk "
-      "over the root of Sku. The rate of false alarms stays at --significance: of 2000 single Gaussian "
-      "surfaces of N_eff = 300 and more, 0.25 to 0.7 % differed at 1 % and 3.2 to 3.9 % at 5 %; of "
-      "surfaces of skewness 1, -1 and -2 of N_eff = 278 and more, 0.35 to 1.2 % and 3.4 to 4.45 %. Of "
-      "Gaussian surfaces of N_eff = 660 that are 10 % too high, it sees 58 % singly, of lengths 20 % too "
-      "long along both axes 56 %, along one 50 %, of a skewness of 0.3 93 %; of ensembles of 12 all. Of "
-      "surfaces of skewness 1 and kurtosis 5 of N_eff = 1066 it sees 34, 71 and 61 %, of a skewness of "
-      "0.7 instead 94 %, of Gaussian ones all. The means are corrected for the bias that subtracting "
-      "each field's own mean and dividing by its own Sq causes. At least 5 independent points per "
-      "surface are needed. Sq of surfaces drawn with --exact-rq always agrees. Lags up to a quarter of "
-      "the field are compared. Heights that stand on steps are tested as before they were rounded.");
 }
 
 }  // namespace

@@ -59,6 +59,17 @@ Json entry(const CLI::App& app, const CLI::Option& option, const Documents& more
           {"excludes", all_of(option.get_excludes())}};
 }
 
+// Paragraphs with an empty line between them, items under each other.
+std::string plain_text(const std::vector<Paragraph>& paragraphs) {
+  std::string out;
+  bool before = true;
+  for (const auto& [item, text] : paragraphs) {
+    out += (out.empty() ? "" : item && before ? "\n" : "\n\n") + (item ? "* " + text : text);
+    before = item;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string description(const CLI::App& app, const Documents& more) {
@@ -68,7 +79,7 @@ std::string description(const CLI::App& app, const Documents& more) {
               {"summary", std::string(summary_of(name))},
               {"description", flowing(app.get_description())},
               {"example", more.example},
-              {"accuracy", flowing(more.accuracy)},
+              {"accuracy", plain_text(accuracy_of(name))},
               {"options", Json::array()},
               {"statuses", Json::array()}};
   for (const CLI::Option* option : app.get_options()) out["options"].push_back(entry(app, *option, more));

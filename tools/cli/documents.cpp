@@ -60,6 +60,33 @@ std::string text_of(const CLI::Option& option) {
   return usual.empty() ? text : text + ". Default: " + usual;
 }
 
+// ---- the pages of accuracy ----
+
+namespace {
+
+constexpr std::pair<std::string_view, const char*> accuracy_pages[] = {
+#include "accuracy.inc"
+};
+
+}  // namespace
+
+std::vector<Paragraph> accuracy_of(std::string_view tool) {
+  const auto* page = std::ranges::find(accuracy_pages, tool, [](const auto& of) { return of.first; });
+  if (page == std::end(accuracy_pages)) return {};
+  std::vector<Paragraph> out;
+  std::istringstream lines(page->second);
+  bool apart = true;  // the next line begins a paragraph
+  for (std::string line; std::getline(lines, line);) {
+    const bool item = line.starts_with("* ");
+    if (!line.empty() && !line.starts_with("# ")) {
+      if (apart || item) out.push_back({item, ""});
+      out.back().text = flowing(out.back().text + " " + line.substr(item ? 2 : 0));
+    }
+    apart = line.empty();
+  }
+  return out;
+}
+
 // ---- the manual page ----
 
 namespace {
@@ -72,6 +99,13 @@ std::string section(const std::string& name, const std::string& body) {
 }
 
 std::string paragraph(const std::string& text) { return text.empty() ? "" : roff(flowing(text)) + "\n"; }
+
+std::string page_of(const std::vector<Paragraph>& paragraphs) {
+  std::string out;
+  for (const auto& [item, text] : paragraphs)
+    out += (item ? ".IP \\(bu 2\n" : out.empty() ? "" : ".PP\n") + roff(text) + "\n";
+  return out;
+}
 
 std::string entry(const std::string& head, const std::string& text) {
   return ".TP\n" + head + "\n" + roff(text) + "\n";
@@ -172,7 +206,7 @@ std::string man_page(const CLI::App& app, const Documents& more) {
          section("OPTIONS", paragraph("A quantity has a unit: 3mm, 0.4um, 208GPa, 5000N, 30deg.") +
                                 options_by_group(app)) +
          section("EXAMPLES", more.example.empty() ? "" : ".nf\n" + roff(more.example) + "\n.fi\n") +
-         section("ACCURACY", paragraph(more.accuracy)) + section("ENVIRONMENT", environment(name)) +
+         section("ACCURACY", page_of(accuracy_of(name))) + section("ENVIRONMENT", environment(name)) +
          section("EXIT STATUS", statuses(more.statuses)) + section("SEE ALSO", see_also(name));
 }
 

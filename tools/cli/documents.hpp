@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/cli/tool.hpp"
@@ -29,6 +30,15 @@ std::string text_of(const CLI::Option& option);
 /// Words with a blank between them, in lines of at most `width` columns, each but the first after `indent`.
 std::string flowing(const std::string& text, std::size_t width = std::string::npos,
                     const std::string& indent = "");
+
+/// A paragraph of a page, or an item of a list.
+struct Paragraph {
+  bool item = false;
+  std::string text;  ///< in one line
+};
+/// docs/accuracy/TOOL.md, which the build embeds, without its title and marks of code; nothing for a program
+/// without such a page.
+std::vector<Paragraph> accuracy_of(std::string_view tool);
 
 /// All options, by their headings, for lines of `width` columns.
 std::string long_help(const CLI::App& app, const Documents& more, std::size_t width);

@@ -66,6 +66,14 @@ std::string example_of(const Documents& more, std::size_t width) {
   return out;
 }
 
+std::string accuracy_in_lines(const std::string& tool, std::size_t width) {
+  std::string out;
+  for (const auto& [item, text] : accuracy_of(tool))
+    out += (item ? "  * " : out.empty() ? "  " : "\n  ") +
+           flowing(text, width - (item ? 4 : 2), item ? "    " : "  ") + "\n";
+  return out.empty() ? "" : "\nAccuracy:\n" + out;
+}
+
 }  // namespace
 
 std::string long_help(const CLI::App& app, const Documents& more, std::size_t width) {
@@ -75,7 +83,7 @@ std::string long_help(const CLI::App& app, const Documents& more, std::size_t wi
     for (const CLI::Option* option : app.get_options())
       if (option->get_group() == group) out += entry(*option, text_of(*option), width);
   }
-  if (!more.accuracy.empty()) out += "\nAccuracy:\n  " + flowing(more.accuracy, width - 2, "  ") + "\n";
+  out += accuracy_in_lines(app.get_name(), width);
   std::string statuses;
   for (const auto& [code, meaning] : more.statuses)
     statuses += fmt::format("{}{} {}", statuses.empty() ? "" : ", ", code, meaning);

@@ -37,7 +37,7 @@ struct ExitStatus {
 
 /// What help and the manual page say besides the options.
 struct Documents {
-  std::string example, accuracy;
+  std::string example;
   std::vector<std::string> essential;  ///< options of the short help, in its order
   std::vector<ExitStatus> statuses;
   std::map<std::string, std::string> units =
@@ -87,7 +87,6 @@ class Options {
   // What help says besides the options.
   /// A command line that works as it stands.
   void example(std::string command) { documents_.example = std::move(command); }
-  void accuracy(std::string text) { documents_.accuracy = std::move(text); }
   /// The options of the short help, -h, in its order.
   void essential(std::vector<std::string> options) { documents_.essential = std::move(options); }
   /// Besides those that all tools have.

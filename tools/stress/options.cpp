@@ -76,7 +76,7 @@ void StressOptions::declare_content(Tool& tool) {
             content);
   tool.choice(
       "--resolution", resolution, {"adapted", "full"},
-      "Cells of deep layers; adapted: wider ones, within 2e-6 of the maximum pressure; full: all of them",
+      "Cells of deep layers; adapted: wider ones where they suffice; full: all of them",
       content);
 }
 

@@ -67,10 +67,6 @@ void GenerateOptions::declare_drawing(Tool& tool) {
                   "--skewness", "--kurtosis", "--count", "--seed", "--output"});
   tool.example(
       "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
-  tool.accuracy(
-      "The ensemble has the autocorrelation acf_achieved of the dataset to round-off; kernel_error is its "
-      "distance from the target. One surface estimates the ensemble with sampling error: see asperity-stats "
-      "and asperity-acf.");
 }
 
 void GenerateOptions::check_outputs(Tool& tool) const {
