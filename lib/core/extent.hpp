@@ -8,6 +8,9 @@
 
 namespace asperity {
 
+/// The place on a torus of n lines: i modulo n, from 0 to n - 1.
+inline Index wrapped(Index i, Index n) { return (i % n + n) % n; }
+
 /// A run of lines of one axis.
 struct Extent {
   Index first = 0, count = 0;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/extent.hpp"
 #include "stress/maximum.hpp"
 
 namespace asperity {
@@ -36,9 +37,6 @@ struct LayerMaximum {
 /// The ratio of the scan's depths, and how many sides of a wide cell its depth must be: `maximum` and `depth`
 /// of validation/stress_error_time, tests/stress/maximum.cpp.
 inline constexpr double scan_ratio = std::numbers::sqrt2, wide_cell_depth = 3;
-
-/// i modulo n, 0 ≤ … < n.
-inline Index wrapped(Index i, Index n) { return (i % n + n) % n; }
 
 /// Whether the field shows the steps between the cells, so that its values at their centres alone count.
 bool at_centres(const Grid& grid, double z);

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "core/extent.hpp"
 #include "core/field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "transform/plan.hpp"
@@ -37,8 +38,5 @@ class LagSpectrum {
 
 /// f at all lags of a torus. At half a period, where p and -p are one, a table may hold either or both.
 Field unfolded(const LagField& f, Shape torus);
-
-/// The place of a lag on a side of the torus.
-inline Index wrapped(Index lag, Index period) { return (lag % period + period) % period; }
 
 }  // namespace asperity

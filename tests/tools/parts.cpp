@@ -25,7 +25,7 @@ void parse(cli::Options& options, std::vector<std::string> words) {
 // The parts of a program that writes a dataset, and a report.
 struct Parts {
   cli::Options options{"asperity-stats", "of a test"};
-  cli::Messages messages{"asperity-stats"};
+  cli::Messages messages{"asperity-stats", options};
   cli::RunSettings settings{options, messages};
   cli::Datasets datasets{options, messages, settings};
 
