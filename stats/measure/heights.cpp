@@ -150,18 +150,33 @@ void add_sizes(ParameterList& out, const Sample& sample) {
 
 // ---- the material ratio ----
 
-constexpr Definition<CoreParameters> core_table[] = {
-    {"Sk", of_field, "core height", value_of<&CoreParameters::sk>},
-    {"Spk", of_field, "reduced peak height", value_of<&CoreParameters::spk>},
-    {"Svk", of_field, "reduced dale height", value_of<&CoreParameters::svk>},
-    {"Smr1", "1", "material ratio where the core begins", value_of<&CoreParameters::smr1>},
-    {"Smr2", "1", "material ratio where the core ends", value_of<&CoreParameters::smr2>}};
+struct Material {
+  MaterialRatioCurve curve;
+  CoreParameters core;
+  VolumeParameters volumes;
+};
 
-constexpr Definition<VolumeParameters> volume_table[] = {
-    {"Vmp", of_field, "peak material volume per area", value_of<&VolumeParameters::vmp>},
-    {"Vmc", of_field, "core material volume per area", value_of<&VolumeParameters::vmc>},
-    {"Vvc", of_field, "core void volume per area", value_of<&VolumeParameters::vvc>},
-    {"Vvv", of_field, "dale void volume per area", value_of<&VolumeParameters::vvv>}};
+template <auto member>
+Estimate core(const Material& of) {
+  return {of.core.*member};
+}
+template <auto member>
+Estimate volume(const Material& of) {
+  return {of.volumes.*member};
+}
+
+constexpr Definition<Material> core_table[] = {
+    {"Sk", of_field, "core height", core<&CoreParameters::sk>},
+    {"Spk", of_field, "reduced peak height", core<&CoreParameters::spk>},
+    {"Svk", of_field, "reduced dale height", core<&CoreParameters::svk>},
+    {"Smr1", "1", "material ratio where the core begins", core<&CoreParameters::smr1>},
+    {"Smr2", "1", "material ratio where the core ends", core<&CoreParameters::smr2>}};
+
+constexpr Definition<Material> volume_table[] = {
+    {"Vmp", of_field, "peak material volume per area", volume<&VolumeParameters::vmp>},
+    {"Vmc", of_field, "core material volume per area", volume<&VolumeParameters::vmc>},
+    {"Vvc", of_field, "core void volume per area", volume<&VolumeParameters::vvc>},
+    {"Vvv", of_field, "dale void volume per area", volume<&VolumeParameters::vvv>}};
 
 // ---- tests ----
 
@@ -231,17 +246,18 @@ Parameters gaussianity(const Sample& sample, const MeasureOptions&) {
 }
 
 Parameters material_parameters(const Sample& sample, const MeasureOptions& options) {
-  const MaterialRatioCurve curve = sample.material_ratio();
   const auto [p, q] = options.material_ratios;
+  const MaterialRatioCurve curve = sample.material_ratio();
+  const Material of{curve, curve.core(), curve.volumes(p, q)};
   ParameterList out(sample.surface().units);
-  out.add(core_table, curve.core());
+  out.add(core_table, of);
   const std::vector<Estimate> inverse =
       quantile_estimates(sample, {1 - p, 1 - q}, {curve.height(p), curve.height(q)});
   out.add("Smc_p", of_field, "inverse material ratio at {}", inverse[0],
           {.meaning = shortest(p), .why_no_error = equal_heights});
   out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1],
           {.meaning = shortest(q), .why_no_error = equal_heights});
-  out.add(volume_table, curve.volumes(p, q));
+  out.add(volume_table, of);
   return std::move(out).with_known_errors(sample.size());
 }
 

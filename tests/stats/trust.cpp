@@ -61,15 +61,15 @@ void check_quantities(const std::string& command) {
 
 TEST_CASE("the tools' tables hold no interval without its value, and no sign of what is no number",
           "[stats-tool][acf-tool][law][slow]") {
-  const Field bimodal = (white_noise(square.shape, 9) > 0).select(Field::Constant(64, 64, 1e-6), 0.0);
-  Field spike = Field::Zero(64, 64);
+  const Grid small{{32, 32}, 1e-5, 1e-5, false}, periodic{small.shape, 1e-5, 1e-5, true};
+  const Field bimodal = (white_noise(small.shape, 9) > 0).select(Field::Constant(32, 32, 1e-6), 0.0);
+  Field spike = Field::Zero(32, 32);
   spike(20, 30) = 1e-5;
-  const Grid periodic{square.shape, 1e-5, 1e-5, true};
   const std::vector<Dataset> surfaces{
-      surface(square, bimodal),
-      surface(square, 1e-6 * white_noise(square.shape, 3)),
+      surface(small, bimodal),
+      surface(small, 1e-6 * white_noise(small.shape, 3)),
       surface(periodic, spike),
-      surface(periodic, sine(square.shape, 1e-6, 4)),
+      surface(periodic, sine(small.shape, 1e-6, 4)),
       surface({{48, 20}, 1e-7, 3e-6, false}, 1e-6 * moving_average({48, 20}, {3, 3}, 5)),
       surface({{1, 80}, 1e-5, 1e-5, false}, 1e-6 * moving_average({1, 80}, {1, 5}, 5)),
       surface({{3, 50}, 1e-5, 1e-5, false}, 1e-6 * white_noise({3, 50}, 6))};
