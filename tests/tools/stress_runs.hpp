@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "support.hpp"
 #include "tools/files.hpp"
@@ -11,7 +12,7 @@
 
 namespace asperity::test {
 
-inline constexpr double fill = 9.9692099683868690e+36;
+inline constexpr double fill = default_fill;
 
 // 64 × 48 cells, so that x and y cannot be mistaken for each other; the contact is solved once.
 inline const std::string& pressed() {
