@@ -20,7 +20,7 @@ class Bytes {
 
   operator std::string_view() const { return {data_, size_}; }
   std::size_t size() const { return size_; }
-  /// Room for `more` bytes after the present ones, initially zero; add() tells how many were written.
+  /// Room for `more` bytes after the present ones, initially zero; add() takes how many were written.
   char* room(std::size_t more);
   void add(std::size_t more) { size_ += more; }
 

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "dataset/big_endian.hpp"
 #include "dataset/bytes.hpp"
-#include "dataset/classic_types.hpp"
 #include "dataset/unread.hpp"
 
 namespace asperity {
@@ -97,7 +95,7 @@ class Reader {
 };
 
 // The names of a list, of which readers find one by its name.
-class Names {
+class UniqueNames {
  public:
   std::string different(std::string name) {
     if (!names_.insert(name).second) refuse_damaged(": '" + name + "' is twice in it");
@@ -135,8 +133,8 @@ Values take_values(Reader& reader) {
 
 Attributes take_attributes(Reader& reader) {
   Attributes out;
-  Names names;
-  for (std::uint64_t n = reader.list(attributes, 3); n > 0; --n) {
+  UniqueNames names;
+  for (std::uint64_t n = reader.list(classic::attributes, 3); n > 0; --n) {
     std::string name = names.different(reader.name());
     out.add({std::move(name), take_values(reader)});
   }
@@ -150,7 +148,7 @@ struct Head {
   bool records = false;
 };
 
-Head take_variable(Reader& reader, Names& names, const std::vector<Dimension>& lengths) {
+Head take_variable(Reader& reader, UniqueNames& names, const std::vector<Dimension>& lengths) {
   Head out;
   out.variable.name = names.different(reader.name());
   std::uint64_t cells = 1;
@@ -252,8 +250,8 @@ Dataset read_classic_head(std::string_view bytes, const std::shared_ptr<const So
   constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
   const bool streamed = records == reader.greatest_count();
   if (records > most && !streamed) refuse_damaged();
-  Names dimension_names, variable_names;
-  for (std::uint64_t n = reader.list(dimensions, 2); n > 0; --n) {
+  UniqueNames dimension_names, variable_names;
+  for (std::uint64_t n = reader.list(classic::dimensions, 2); n > 0; --n) {
     std::string name = dimension_names.different(reader.name());
     const std::uint64_t length = reader.count();
     if (length > most) refuse_damaged();
@@ -261,7 +259,7 @@ Dataset read_classic_head(std::string_view bytes, const std::shared_ptr<const So
   }
   out.attributes = take_attributes(reader);
   std::vector<Head> heads;
-  for (std::uint64_t n = reader.list(variables, 7); n > 0; --n)
+  for (std::uint64_t n = reader.list(classic::variables, 7); n > 0; --n)
     heads.push_back(take_variable(reader, variable_names, out.dimensions));
   const std::uint64_t record = bytes_of_record(heads);
   if (streamed) records = records_to_end(reader, heads, record);

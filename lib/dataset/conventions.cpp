@@ -13,9 +13,8 @@ namespace asperity {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double default_of_doubles = 9.969209968386869e36;
-constexpr const char* told[] = {"scale_factor", "add_offset",    "valid_range", "valid_min",
-                                "valid_max",    "missing_value", "_Unsigned"};
+constexpr const char* packing_attributes[] = {"scale_factor", "add_offset",    "valid_range", "valid_min",
+                                              "valid_max",    "missing_value", "_Unsigned"};
 
 bool is_text(const Values& values) { return std::holds_alternative<std::string>(values); }
 bool is_floating(const Values& values) {
@@ -33,8 +32,8 @@ std::string text_of(double value) { return in_digits(value, 6); }
 // As in the Users Guide: the second smallest number of signed types, the largest of unsigned types; for 64
 // bits the next one.
 template <class T>
-constexpr T default_fill() {
-  if constexpr (std::is_floating_point_v<T>) return static_cast<T>(default_of_doubles);
+constexpr T fill_of_type() {
+  if constexpr (std::is_floating_point_v<T>) return static_cast<T>(default_fill);
   constexpr T beyond = sizeof(T) == 8;  // 64 bits: one further
   return static_cast<T>(std::is_signed_v<T> ? std::numeric_limits<T>::min() + 1 + beyond
                                             : std::numeric_limits<T>::max() - beyond);
@@ -45,7 +44,7 @@ Values default_fill_of(const Values& values) {
   return std::visit(
       []<class List>(const List&) -> Values {
         using T = typename List::value_type;
-        return sizeof(T) == 1 ? List() : List(1, default_fill<T>());
+        return sizeof(T) == 1 ? List() : List(1, fill_of_type<T>());
       },
       values);
 }
@@ -131,7 +130,8 @@ std::vector<double> present_numbers(const Variable& variable) {
 
 Conventions::Conventions(const Variable& packed) {
   if (is_text(packed.values)) return;
-  plain_ = std::ranges::none_of(told, [&](const char* name) { return packed.attributes.find(name); });
+  plain_ = std::ranges::none_of(packing_attributes,
+                                [&](const char* name) { return packed.attributes.find(name); });
   take_sign(packed);
   take_packing(packed);
   take_range(packed);
@@ -209,7 +209,7 @@ void Conventions::take_marks(const Variable& variable) {
   if (!marks_.empty()) mark_ = marks_[0];
   const bool bounded = std::isfinite(least_) || std::isfinite(greatest_);
   if (!mark_ && bounded) doubles_ = true;  // bytes: no number can be the mark
-  if (doubles_ && (mark_ || bounded)) mark_ = default_of_doubles;
+  if (doubles_ && (mark_ || bounded)) mark_ = default_fill;
 }
 
 // ---- plain values ----
@@ -245,7 +245,7 @@ Variable Conventions::unpacked(Variable packed) const {
       packed.attributes.set_values(attribute, own_type(*values));
   const bool named = !packed.attributes.find("_FillValue") && packed.attributes.find("missing_value");
   packed.values = unpacked(std::move(packed.values));
-  for (const char* attribute : told) packed.attributes.erase(attribute);
+  for (const char* attribute : packing_attributes) packed.attributes.erase(attribute);
   if (mark_)
     packed.attributes.set_values(named ? "missing_value" : "_FillValue", alone(*mark_, packed.values));
   if (packed.attributes.find("actual_range")) set_range(packed);

@@ -6,7 +6,7 @@
 ///     missing                                                   otherwise
 ///
 ///     marks           _FillValue; every number of missing_value; without _FillValue, NetCDF's default
-///                     fill of the type (9.969209968386869e36 for floating-point types; bytes have none)
+///                     fill of the type (default_fill for floating-point types; bytes have none)
 ///     valid range     valid_range, or valid_min and valid_max
 ///     _Unsigned       "true" for signed integers: they and these attributes are read as unsigned
 ///
@@ -30,6 +30,9 @@
 #include "dataset/dataset.hpp"
 
 namespace asperity {
+
+/// NetCDF's own mark of missing points for doubles.
+inline constexpr double default_fill = 9.969209968386869e36;
 
 /// The number that marks missing points in a plain variable: _FillValue, else missing_value, else the default
 /// of its type; NaN if there is none.

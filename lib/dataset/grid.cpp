@@ -36,20 +36,20 @@ bool agrees(double length, const Variable& axis, const std::vector<double>& poin
 
 // The more precise length if both agree; otherwise that of the points.
 double settled_length(const Variable& axis, const std::vector<double>& points) {
-  const Values* told = axis.attributes.find("length");
+  const Values* stated = axis.attributes.find("length");
   const double length = axis.attributes.number("length", NAN), of_points = length_of_points(points);
   if (!std::isfinite(length)) return of_points;
   if (!(length > 0)) throw DataError(axis.name, "attribute length " + shortest(length) + " is not positive");
   if (std::isnan(of_points)) return length;
-  const bool coarser = single_precision(*told) && !single_precision(axis.values);
+  const bool coarser = single_precision(*stated) && !single_precision(axis.values);
   return coarser || !agrees(length, axis, points) ? of_points : length;
 }
 
 // For a single point the length is the size, unless actual_range shows that there were more points.
 void refuse_part_of_axis(const Variable& axis, const std::vector<double>& points) {
-  const Values* told = axis.attributes.find("actual_range");
-  if (points.size() != 1 || told == nullptr || count(*told) != 2) return;
-  const std::vector<double> range = numbers(*told);
+  const Values* stated = axis.attributes.find("actual_range");
+  if (points.size() != 1 || stated == nullptr || count(*stated) != 2) return;
+  const std::vector<double> range = numbers(*stated);
   if (std::abs(range[1] - range[0]) <= 1e-6 * std::abs(axis.attributes.number("length", 0))) return;
   throw DataError(axis.name,
                   "only one point is left of those in actual_range, and length does not fit it: correct both "

@@ -34,7 +34,7 @@ std::size_t end_of_hdf5(std::string_view bytes) {
   return std::min<std::uint64_t>(end, bytes.size());
 }
 
-[[noreturn]] void refuse(const std::string& message) { throw DataError("dataset", message); }
+[[noreturn]] void refuse_file(const std::string& message) { throw DataError("dataset", message); }
 
 std::atomic<DoneApart> apart = nullptr;
 
@@ -56,7 +56,7 @@ Bytes classic_from(std::string_view netcdf4, DoneApart done_apart, const MemoryB
   return out;
 }
 
-void require_room(const Dataset& data, const MemoryBound& memory) {
+void require_room_for(const Dataset& data, const MemoryBound& memory) {
   double values = 0, most = 0;
   for (const Variable& v : data.variables) {
     values += static_cast<double>(size_in_memory(v));
@@ -66,8 +66,8 @@ void require_room(const Dataset& data, const MemoryBound& memory) {
 }
 
 void check_kind(std::string_view bytes) {
-  if (bytes.empty()) refuse("the file is empty");
-  if (!looks_like_netcdf(bytes)) refuse("the file is not NetCDF");
+  if (bytes.empty()) refuse_file("the file is empty");
+  if (!looks_like_netcdf(bytes)) refuse_file("the file is not NetCDF");
   if (is_netcdf4(bytes)) refuse_rest(bytes.substr(end_of_hdf5(bytes)), "dataset");
 }
 
@@ -131,7 +131,7 @@ Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
   }
   Dataset out = is_netcdf4(bytes) ? read_netcdf4(bytes, {.memory = memory})
                                   : read_classic_head(bytes, source_of(bytes));
-  require_room(out, memory);
+  require_room_for(out, memory);
   load(out);
   return to_native_axes(with_plain_values(std::move(out)));
 }
@@ -139,7 +139,7 @@ Dataset decode_netcdf(std::string_view bytes, const MemoryBound& memory) {
 Dataset open_netcdf(const std::string& path, const MemoryBound& memory) {
   MemoryBound left = memory;
   Dataset out = in_file(path, left);
-  require_room(out, left);
+  require_room_for(out, left);
   return settled(std::move(out));
 }
 
@@ -147,7 +147,7 @@ Dataset open_netcdf(Bytes bytes, const MemoryBound& memory) {
   check_kind(bytes);
   if (is_netcdf4(bytes)) return decode_netcdf(bytes, memory);
   Dataset out = unread(std::move(bytes));
-  require_room(out, memory);
+  require_room_for(out, memory);
   return settled(std::move(out));
 }
 

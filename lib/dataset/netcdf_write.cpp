@@ -3,8 +3,7 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "dataset/big_endian.hpp"
-#include "dataset/classic_types.hpp"
+#include "dataset/classic_head.hpp"
 #include "dataset/netcdf.hpp"
 #include "dataset/unread.hpp"
 
@@ -53,9 +52,9 @@ void check_name(const std::string& name) {
 }
 
 // A header in the making.
-class Head {
+class HeadWriter {
  public:
-  explicit Head(const Dataset& dataset) : dataset_(dataset), wide_(needs_cdf5(dataset)) {
+  explicit HeadWriter(const Dataset& dataset) : dataset_(dataset), wide_(needs_cdf5(dataset)) {
     bytes_ = wide_ ? "CDF\005" : "CDF\002";
     count(0);  // records
     dimensions_part();
@@ -159,7 +158,7 @@ class Head {
   const Dataset& dataset_;
   bool wide_;
   std::string bytes_;
-  std::vector<std::size_t> begins_;  ///< where the header tells them
+  std::vector<std::size_t> begins_;  ///< where the header has them
 };
 
 using Sink = std::function<void(std::string_view)>;
@@ -203,7 +202,7 @@ void write_netcdf(const Dataset& dataset, const Sink& sink, std::size_t deferred
     if (const std::size_t places = places_of(dataset, v); places != count(v))
       throw std::logic_error(v.name + " has " + std::to_string(count(v)) + " values for " +
                              std::to_string(places) + " places");
-  sink(Head(dataset).bytes());
+  sink(HeadWriter(dataset).bytes());
   for (const Variable& v : all) {
     const std::size_t bytes = v.unread ? write_unread(v, sink) : write_read(v.values, sink);
     sink(std::string_view("\0\0\0", padded(bytes) - bytes));

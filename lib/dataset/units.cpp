@@ -63,8 +63,8 @@ Unit known(const std::string& name) {
     return nullptr;
   require_memory(room_for_unit);
   const std::size_t first = std::min(name.find_first_not_of(' '), name.size()),
-                    behind = name.find_last_not_of(' ') + 1;  // padding by programs with fixed widths
-  return Unit(ut_parse(all, utf8_of(name.substr(first, behind - first)).c_str(), UT_UTF8));
+                    end = name.find_last_not_of(' ') + 1;  // padding by programs with fixed widths
+  return Unit(ut_parse(all, utf8_of(name.substr(first, end - first)).c_str(), UT_UTF8));
 }
 
 Unit parse(const std::string& name) {

@@ -11,7 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/memory.hpp"
-#include "dataset/big_endian.hpp"
+#include "dataset/classic_head.hpp"
 
 namespace asperity {
 namespace {

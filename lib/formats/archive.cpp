@@ -160,7 +160,7 @@ ZipArchive::Entry LibzipArchive::entry(const std::string& name) const {
   const auto found = std::ranges::find(names_, own);
   if (own.empty() || found == names_.end()) refuse("{} is missing", named(name));
   if (std::find(found + 1, names_.end(), own) != names_.end())
-    refuse("{} is there twice: which counts is not told, write it once", named(name));
+    refuse("{} is there twice: nothing says which counts, write it once", named(name));
   zip_stat_t stat;
   const auto place = static_cast<zip_uint64_t>(found - names_.begin());
   constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "formats/refuse.hpp"
 #include "formats/text_encoding.hpp"
@@ -25,14 +26,53 @@ std::array<std::string_view, 3> samples_of(std::string_view bytes) {
   return {bytes.substr(0, size), bytes.substr(end / 4 * 2, size), bytes.substr(end - size, size)};
 }
 
+constexpr std::size_t most_listed = 8;
+
+// "0 'Topography', 1 'Phase'"
+std::string list_of_channels(std::span<const Channel> channels) {
+  std::string out;
+  for (const Channel& channel : channels.first(std::min(channels.size(), most_listed)))
+    out += fmt::format("{}{}{}", out.empty() ? "" : ", ", channel.number,
+                       channel.title.empty() ? "" : " " + quoted(channel.title));
+  return out + (channels.size() > most_listed ? ", …" : "");
+}
+
+// The places of the channels that satisfy a condition.
+template <class Condition>
+std::vector<std::size_t> channels_where(std::span<const Channel> channels, Condition condition) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    if (condition(channels[i])) out.push_back(i);
+  return out;
+}
+
 }  // namespace
 
 std::span<const Format> formats() {
-  using namespace format;
-  // Formats recognised by their first bytes come first.
-  static const Format all[] = {gwyddion_text, gsf, gwy,  nrrd, npy,         sdf,
-                               sdf_ascii,     sur, esri, x3p,  format::text};
+#define ASPERITY_LISTED(name) format::name,
+  static const Format all[] = {ASPERITY_FORMATS(ASPERITY_LISTED)};
+#undef ASPERITY_LISTED
   return all;
+}
+
+std::size_t chosen_channel(std::span<const Channel> channels, std::string_view name) {
+  if (channels.empty()) refuse("the file holds no map");
+  if (name.empty()) {
+    if (channels.size() == 1) return 0;
+    const auto heights = channels_where(channels, [](const Channel& c) { return is_length(c.unit); });
+    if (heights.size() == 1) return heights.front();
+    refuse("the file has {} channels, {} of them heights: choose one with `channel`: {}", channels.size(),
+           heights.size(), list_of_channels(channels));
+  }
+  const std::string wanted = one_line(name);
+  auto found = channels_where(channels, [&](const Channel& c) { return c.title == wanted; });
+  if (found.empty())
+    if (const auto number = to_number<Index>(name))
+      found = channels_where(channels, [&](const Channel& c) { return c.number == *number; });
+  if (found.size() == 1) return found.front();
+  if (found.empty()) refuse("the file has no channel {}, only {}", quoted(name), list_of_channels(channels));
+  refuse("the file has {} channels {}: choose by number: {}", found.size(), quoted(name),
+         list_of_channels(channels));
 }
 
 bool is_text(std::string_view bytes) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/field.hpp"
 #include "formats/map.hpp"
 
 namespace asperity {
@@ -28,15 +29,34 @@ struct Format {
   /// Throws DataError for a map that the format cannot hold.
   std::string (*encode)(const Map& map, Order order);
   Numbers numbers = Numbers::doubles;  ///< as they are written
-  bool channels = false;               ///< a file may hold several maps (formats/channels.hpp)
+  bool channels = false;               ///< a file may hold several maps (chosen_channel)
 };
 
-/// Each is defined in the source file of its name, which begins with a description of the supported features.
+/// All formats, those that are recognised by their first bytes first. Each is defined in the source file of
+/// its name, which begins with a description of what it supports; `sdf_ascii` in that of `sdf`.
+#define ASPERITY_FORMATS(format)                                                                       \
+  format(gwyddion_text) format(gsf) format(gwy) format(nrrd) format(npy) format(sdf) format(sdf_ascii) \
+      format(sur) format(esri) format(x3p) format(text)
+
 namespace format {
-extern const Format esri, gsf, gwy, gwyddion_text, npy, nrrd, sdf, sdf_ascii, sur, text, x3p;
-}
+#define ASPERITY_DECLARED(name) extern const Format name;
+ASPERITY_FORMATS(ASPERITY_DECLARED)
+#undef ASPERITY_DECLARED
+}  // namespace format
 
 std::span<const Format> formats();
+
+/// One of several maps in a file.
+struct Channel {
+  Index number = 0;
+  std::string title = {};      ///< one line, or ""
+  std::string_view unit = {};  ///< of the values, as the file spells it
+};
+
+/// The place in `channels` of the one that is meant: by its name or its number in the file; without a name,
+/// the only one, or the only one whose unit is a length: the heights. Throws DataError("map", …) with the
+/// numbers and names of all when none or several are meant.
+std::size_t chosen_channel(std::span<const Channel> channels, std::string_view name);
 
 /// Whether bytes are text: no control characters except white space at the beginning, in the middle and at
 /// the end.

@@ -1,6 +1,6 @@
 /// GWY, Gwyddion's native format.
 ///
-///     GWYP                       then an object (formats/gwy_objects.hpp), a GwyContainer, of components
+///     GWYP                       then an object, a GwyContainer, of components
 ///     /0/data                    GwyDataField, the map of channel 0; other channels have other numbers
 ///     /0/data/title              its name
 ///     /0/mask                    GwyDataField of the same points; a value above 0 marks a missing point
@@ -10,12 +10,24 @@
 ///     si_unit_xy, si_unit_z      GwySIUnit with a unitstr: of the size, a length; of the values. Unknown if
 ///                                missing or empty
 ///     data                       doubles, line by line from the top of the image, the smallest y here
-/// Channels are chosen as formats/channels.hpp says. Their positions (xoff, yoff), and whatever else a file
-/// holds (graphs, spectra, volumes, points, selections, the log), are ignored. NaN is a missing point too.
+/// Channels are chosen as chosen_channel() in formats/format.hpp says. Their positions (xoff, yoff), and
+/// whatever else a file holds (graphs, spectra, volumes, points, selections, the log), are ignored. NaN is a
+/// missing point too.
 ///
 /// Files are written with one channel, visible, in doubles: exact. Gwyddion knows no missing values. Their
 /// points are in the mask, and have the mean of the others. The middle of the map is at 0, as in a dataset. A
 /// file has at most 4 GiB, an object's size being of 32 bits.
+///
+/// An object is its class's name, NUL, the size of its body in four bytes, and the body: components, each a
+/// name, NUL, a letter for its type, and a value:
+///
+///     b, c         a truth value, a character: one byte; C: several characters
+///     i, q, d      a whole number of 32 or 64 bits, a double; I, Q, D: several
+///     s, S         a string that ends with NUL; several
+///     o, O         an object; several
+///
+/// Several values follow their number, in four bytes. All numbers are least significant byte first. Nothing
+/// is copied: a component is a view of the file, and the objects in it are views of their bodies.
 ///
 /// Gwyddion user guide, Gwyddion native data file format,
 /// http://gwyddion.net/documentation/user-guide-en/gwyfile-format.html
@@ -23,11 +35,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "dataset/bytes.hpp"
-#include "formats/channels.hpp"
 #include "formats/format.hpp"
-#include "formats/gwy_objects.hpp"
 #include "formats/raster.hpp"
 #include "formats/refuse.hpp"
 
@@ -36,6 +47,104 @@ namespace {
 
 constexpr std::string_view gwy_magic = "GWYP", old_magic = "GWYO", field_class = "GwyDataField";
 constexpr std::size_t most_channels = 4096;
+
+// ---- serialised objects ----
+
+struct GwyComponent {
+  std::string_view name = {};
+  char type = 0;
+  std::string_view kind = {};   //< an object's class
+  std::string_view value = {};  //< bytes of the number or numbers; a string without its NUL; an object's body
+};
+
+// The components of an object, one after the other.
+class GwyComponents {
+ public:
+  explicit GwyComponents(std::string_view body) : rest_(body) {}
+  // Nothing at the end. Throws DataError("map", …) where the body is cut short or of an unknown type.
+  std::optional<GwyComponent> next();
+
+ private:
+  std::string_view rest_;
+};
+
+// An object at the beginning of the bytes, removed from them: its class and its body.
+GwyComponent take_gwy_object(std::string_view& bytes);
+
+std::string_view take_bytes(std::string_view& bytes, std::size_t size) {
+  if (size > bytes.size())
+    refuse("the file is cut short: a component needs {} bytes more", size - bytes.size());
+  const std::string_view out = bytes.substr(0, size);
+  bytes.remove_prefix(size);
+  return out;
+}
+
+std::size_t take_count(std::string_view& bytes) {
+  return number_from<std::uint32_t>(take_bytes(bytes, 4).data(), std::endian::little);
+}
+
+std::string_view take_string(std::string_view& bytes) {
+  const std::size_t end = bytes.find('\0');
+  if (end == bytes.npos) refuse("the file is cut short: a name has no end");
+  const std::string_view out = bytes.substr(0, end);
+  bytes.remove_prefix(end + 1);
+  return out;
+}
+
+// The size of a number of this type, 0 if it is none.
+std::size_t size_of_number(char type) {
+  switch (type) {
+    case 'b':
+    case 'c':
+      return 1;
+    case 'i':
+      return 4;
+    case 'q':
+    case 'd':
+      return 8;
+    default:
+      return 0;
+  }
+}
+
+// Strings or objects; each takes a byte at least, so that a false number of them ends with the bytes.
+std::string_view take_several(std::string_view& bytes, char type) {
+  const std::string_view all = bytes;
+  const std::size_t count = take_count(bytes);
+  for (std::size_t i = 0; i < count; ++i)
+    type == 'S' ? static_cast<void>(take_string(bytes)) : static_cast<void>(take_gwy_object(bytes));
+  return all.substr(0, all.size() - bytes.size());
+}
+
+GwyComponent take_gwy_object(std::string_view& bytes) {
+  GwyComponent out{.type = 'o'};
+  out.kind = take_string(bytes);
+  out.value = take_bytes(bytes, take_count(bytes));
+  return out;
+}
+
+std::optional<GwyComponent> GwyComponents::next() {
+  if (rest_.empty()) return std::nullopt;
+  GwyComponent out;
+  out.name = take_string(rest_);
+  out.type = take_bytes(rest_, 1).front();
+  if (const std::size_t size = size_of_number(out.type)) {
+    out.value = take_bytes(rest_, size);
+  } else if (const std::size_t each = size_of_number(static_cast<char>(out.type + ('a' - 'A')))) {
+    out.value = take_bytes(rest_, each * take_count(rest_));
+  } else if (out.type == 's') {
+    out.value = take_string(rest_);
+  } else if (out.type == 'o') {
+    const GwyComponent object = take_gwy_object(rest_);
+    out.kind = object.kind;
+    out.value = object.value;
+  } else if (out.type == 'S' || out.type == 'O') {
+    out.value = take_several(rest_, out.type);
+  } else {
+    refuse("component {} has an unknown type, {}", quoted(out.name), quoted({&out.type, 1}));
+  }
+  return out;
+}
 
 // ---- reading ----
 
@@ -145,12 +254,6 @@ Map decode_gwy(std::string_view bytes, const Reading& reading) {
 
 // ---- writing ----
 
-template <class T>
-void append_number(std::string& out, T number) {
-  const auto raw = bytes_of(number, std::endian::little);
-  out.append(raw.data(), raw.size());
-}
-
 void append_name(std::string& out, std::string_view name) {
   out.append(name);
   out += '\0';
@@ -165,7 +268,7 @@ void begin_component(std::string& out, std::string_view name, char type) {
 template <class T>
 void append_component(std::string& out, std::string_view name, char type, T number) {
   begin_component(out, name, type);
-  append_number(out, number);
+  append_bytes(out, number);
 }
 
 // An object with what `body` appends.
@@ -173,7 +276,7 @@ template <class Body>
 void append_object(std::string& out, std::string_view kind, Body body) {
   append_name(out, kind);
   const std::size_t place = out.size();
-  append_number(out, std::uint32_t{0});
+  append_bytes(out, std::uint32_t{0});
   body();
   const auto size = bytes_of(static_cast<std::uint32_t>(out.size() - place - 4), std::endian::little);
   std::ranges::copy(size, out.begin() + static_cast<std::ptrdiff_t>(place));

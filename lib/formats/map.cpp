@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "formats/refuse.hpp"
@@ -12,8 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t longest_unit = 64;       // in bytes; what is longer is none
-constexpr double fill = 9.969209968386869e36;  // NetCDF's own for doubles
+constexpr std::size_t longest_unit = 64;  // in bytes; what is longer is none
 
 // With a spacing between these bounds, the coordinates and areas of any number of points are representable.
 Grid grid_of(const Map& map) {
@@ -29,9 +29,9 @@ Grid grid_of(const Map& map) {
 
 // The range omits missing points.
 void set_with_missing(Dataset& dataset, std::string_view name, const Field& values, Meaning meaning) {
-  set_field(dataset, name, values.isNaN().select(fill, values), meaning);
+  set_field(dataset, name, values.isNaN().select(default_fill, values), meaning);
   Attributes& attributes = dataset.find(name)->attributes;
-  attributes.set("_FillValue", fill);
+  attributes.set("_FillValue", default_fill);
   const double low = values.minCoeff<Eigen::PropagateNumbers>(),
                high = values.maxCoeff<Eigen::PropagateNumbers>();
   attributes.set_values("actual_range", std::vector<double>{low, high});

@@ -28,7 +28,7 @@ enum class Order { xy, yx };
 enum class Separator { any, blank, tab, comma, semicolon };
 enum class DecimalMark { any, point, comma };
 
-/// What the user tells about a file. Each format uses what its files do not say.
+/// What the user says of a file. Each format uses what its files do not say.
 struct Reading {
   Reading(Order order_of_matrix = Order::xy) : order(order_of_matrix) {}
 
@@ -40,8 +40,9 @@ struct Reading {
                              ///< "1/um,2/um,4/nm"; "none": all are heights; "": as its header says
   bool unit_told = false;    ///< the caller knows the unit of the values if the file gives none
   bool size_told = false;    ///< the caller knows the size of the map
-  std::string channel = {};  ///< of a file of several maps: its name or number (formats/channels.hpp)
-  MemoryBound memory = {};   ///< without the file's bytes, if the caller counts them as taken
+  std::string channel =
+      {};  ///< of a file of several maps: its name or number (chosen_channel in formats/format.hpp)
+  MemoryBound memory = {};  ///< without the file's bytes, if the caller counts them as taken
 };
 
 struct Map {
@@ -67,7 +68,7 @@ bool is_unit(std::string_view unit);
 /// Converts lengths to metres; other values stay. Throws DataError("map", …) when a value becomes infinite.
 void set_units(Map& map, std::string_view unit);
 
-/// In binary files an infinity is no height either: it becomes missing, and `understood` tells.
+/// In binary files an infinity is no height either: it becomes missing, and `understood` says so.
 void leave_out_infinite(Map& map);
 /// Throws DataError("map", …) when a value is infinite in metres.
 void require_finite(const Map& map);

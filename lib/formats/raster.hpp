@@ -49,6 +49,13 @@ std::array<char, sizeof(T)> bytes_of(T number, std::endian order) {
   return raw;
 }
 
+/// Appends a number, least significant byte first.
+template <class T>
+void append_bytes(std::string& bytes, T number) {
+  const auto raw = bytes_of(number, std::endian::little);
+  bytes.append(raw.data(), raw.size());
+}
+
 /// Layout of a block of numbers in a file.
 struct Raster {
   NumberType type = NumberType::float64;

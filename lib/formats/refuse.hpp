@@ -18,7 +18,7 @@ template <class... Parts>
   throw DataError("map", fmt::format(message, std::forward<Parts>(parts)...));
 }
 
-/// Every format words this fault alike.
+/// The same words in every format.
 [[noreturn]] inline void refuse_cut_header() { refuse("the file is cut short: its header has no end"); }
 
 /// Text from a file in quotes, shortened in the middle.

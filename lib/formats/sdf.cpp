@@ -171,12 +171,6 @@ void check_sdf(const Map& map) {
            map.values.cols());
 }
 
-template <class T>
-void append_number(std::string& bytes, T number) {
-  const auto raw = bytes_of(number, std::endian::little);
-  bytes.append(raw.data(), raw.size());
-}
-
 bool is_sdf_binary(std::string_view bytes) { return is_sdf(bytes, 'b'); }
 bool is_sdf_text(std::string_view bytes) { return is_sdf(bytes, 'a'); }
 
@@ -190,9 +184,9 @@ Map decode_sdf(std::string_view bytes, const Reading& reading) {
 std::string encode_sdf_binary(const Map& map, Order) {
   check_sdf(map);
   std::string out = fmt::format("bISO-1.0{:10}{}{}", maker, date, date);
-  append_number(out, static_cast<std::uint16_t>(map.values.rows()));
-  append_number(out, static_cast<std::uint16_t>(map.values.cols()));
-  for (const double number : {map.spacing[0], map.spacing[1], 1.0, -1.0}) append_number(out, number);
+  append_bytes(out, static_cast<std::uint16_t>(map.values.rows()));
+  append_bytes(out, static_cast<std::uint16_t>(map.values.cols()));
+  for (const double number : {map.spacing[0], map.spacing[1], 1.0, -1.0}) append_bytes(out, number);
   out += std::string("\0\7\0", 3);
   return out + bytes_of(map.values);
 }

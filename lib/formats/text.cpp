@@ -2,7 +2,7 @@
 ///
 /// Lines and comments are described in formats/text_lines.hpp, separators and decimal marks in
 /// formats/text_table.hpp, lines of words and units in formats/text_head.hpp, what the columns are in
-/// formats/text_columns.hpp, points in formats/text_points.hpp. UTF-8 and, with its byte-order mark, UTF-16
+/// formats/text_columns.hpp, points in its second part. UTF-8 and, with its byte-order mark, UTF-16
 /// are read. Unit and size are optional.
 ///
 /// Written are comments and then a matrix:
@@ -22,7 +22,6 @@
 #include "formats/refuse.hpp"
 #include "formats/text_columns.hpp"
 #include "formats/text_encoding.hpp"
-#include "formats/text_points.hpp"
 #include "formats/text_table.hpp"
 
 namespace asperity {
@@ -148,9 +147,9 @@ Map decode_text(std::string_view bytes, const Reading& reading) {
   if (!is_utf16(bytes)) return map_of_text(bytes.substr(bytes.starts_with("\xef\xbb\xbf") ? 3 : 0), reading);
   reading.memory.require(1.5 * static_cast<double>(bytes.size()), "map");
   const std::string text = utf8_from_utf16(bytes);
-  Reading beside = reading;
-  beside.memory = reading.memory.beside(text.size());
-  return map_of_text(text, beside);
+  Reading left = reading;
+  left.memory = reading.memory.beside(text.size());
+  return map_of_text(text, left);
 }
 
 std::string encode_text(const Map& map, Order order) {

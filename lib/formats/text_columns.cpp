@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "formats/refuse.hpp"
-#include "formats/text_points.hpp"
 
 namespace asperity {
 namespace {

@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view white = " \t\r\f\v", digits = "0123456789";
+constexpr std::string_view white = " \t\r\f\v", decimal_digits = "0123456789";
 
 // ---- cells ----
 
@@ -52,7 +52,7 @@ std::string fault_of(std::string_view cell, bool map) {
   const std::string what = quoted(cell) + " is not a number";
   if (cell.find(',') != cell.npos && cell.find('.') != cell.npos)
     return what + ": remove thousands separators";
-  if (cell.find_first_of(digits) != cell.npos) return what;
+  if (cell.find_first_of(decimal_digits) != cell.npos) return what;
   return what + ": begin lines of words with #" +
          (map ? ", or, if it means a missing point, give it (`missing`)" : "");
 }
@@ -65,7 +65,7 @@ std::string first_word(std::string_view comment) {
     comment.remove_prefix(word.size());
     if (std::ranges::none_of(word, is_alpha) || number_of(word) || number_of(word, Comma::decimal)) continue;
     std::string out = lower(word);
-    std::erase_if(out, [](char c) { return digits.find(c) != digits.npos; });
+    std::erase_if(out, [](char c) { return decimal_digits.find(c) != decimal_digits.npos; });
     const auto begin = std::ranges::find_if(out, is_alpha);
     return {begin, std::find_if_not(begin, out.end(), is_alpha)};
   }
@@ -280,7 +280,7 @@ class TableReader {
     const std::size_t mark = cell.find(comma == Comma::thousands ? ',' : '.');
     table_.proved |= mark != cell.npos && cell.find_first_of(".,", mark + 1) != cell.npos;
     const std::size_t digit = std::min(cell.find_first_of("0123456789.,"), cell.size());
-    const std::size_t end = std::min(cell.find_first_not_of(digits, digit), cell.size());
+    const std::size_t end = std::min(cell.find_first_not_of(decimal_digits, digit), cell.size());
     table_.contradicted |= end - digit > 3;
   }
 
@@ -289,7 +289,7 @@ class TableReader {
   void compare(std::string_view cell) {
     if (table_.dialect.comma != Comma::none) return;
     const std::string_view number = cell.substr(std::min(cell.find_first_of("0123456789."), cell.size()));
-    const bool whole = number.find_first_not_of(digits) == number.npos;
+    const bool whole = number.find_first_not_of(decimal_digits) == number.npos;
     decimal_ = whole ? number.size() > 3 : !is_grouped(number, '.');
     const std::size_t column = table_.values.size() - row_;
     seen_.resize(std::max(seen_.size(), column + 1));

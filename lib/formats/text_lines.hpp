@@ -82,7 +82,7 @@ struct Table {
 char character_of(Separator separator);
 /// The cells of a line, without blanks and quotes around them.
 std::vector<std::string_view> cells_of(std::string_view line, Dialect dialect);
-/// Three or more # are a missing point only beside a number, % alone only before one.
+/// Three or more # are a missing point only next to a number, % alone only before one.
 bool is_comment(std::string_view line, Separator separator, const std::vector<std::string>& missing = {});
 /// All lines of a text, numbered from 1.
 std::vector<HeadLine> numbered_lines(std::string_view text);

@@ -24,7 +24,7 @@ enum class Comma { none, decimal, thousands, decimal_and_points };
 std::optional<double> number_of(std::string_view word, Comma comma = Comma::none);
 /// Whether a word begins with a digit, a sign or a point, and has a digit.
 bool begins_like_number(std::string_view word);
-/// "1,234,567": one to three digits without a leading zero, then groups of three behind `mark`.
+/// "1,234,567": one to three digits without a leading zero, then groups of three after `mark`.
 bool is_grouped(std::string_view whole, char mark);
 /// A whole word as a whole number from 0; nothing when it is not one, or too large.
 std::optional<Index> whole_number_of(std::string_view word);

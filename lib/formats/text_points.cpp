@@ -1,5 +1,3 @@
-#include "formats/text_points.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "formats/refuse.hpp"
+#include "formats/text_columns.hpp"
 
 namespace asperity {
 namespace {
@@ -72,7 +71,7 @@ class Print {
 
 // ---- the grid of coordinates ----
 
-struct Axis {
+struct GridAxis {
   double first = 0, step = 0;
   Index count = 1;
 
@@ -80,7 +79,7 @@ struct Axis {
 };
 
 struct Fit {
-  Axis axis;
+  GridAxis axis;
   double worst = 0, off = 0;            // the coordinate furthest from its place, by `off` of the step
   bool holds = false, rounded = false;  // rounded: by (1)
   bool tied = false;                    // and for one choice only
@@ -101,7 +100,7 @@ Fit fit(const Lines& lines, const Places& places, const Print& print) {
 }
 
 // Whether the coordinates are nearest to lines one after the other.
-bool each_at_its_place(const Lines& lines, const Axis& axis) {
+bool each_at_its_place(const Lines& lines, const GridAxis& axis) {
   if (!(axis.step > 0)) return false;
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (axis.place(lines[k]) != static_cast<Index>(k)) return false;
@@ -201,13 +200,13 @@ Fits fits_of(const Column& coordinates) {
 }
 
 // Nothing if the coordinates fit no grid, or two.
-std::optional<Axis> axis_of(const Column& coordinates) {
+std::optional<GridAxis> axis_of(const Column& coordinates) {
   const Fits fits = fits_of(coordinates);
   if (fits.every.holds == fits.holes.holds) return std::nullopt;
   return fits.every.holds ? fits.every.axis : fits.holes.axis;
 }
 
-Axis require_axis(const Column& coordinates, char name) {
+GridAxis require_axis(const Column& coordinates, char name) {
   if (!coordinates.isFinite().all()) refuse("a coordinate {} is missing or infinite", name);
   const auto [every, holes] = fits_of(coordinates);
   if (every.holds && holes.holds)
@@ -220,10 +219,10 @@ Axis require_axis(const Column& coordinates, char name) {
 }
 
 // Whether the count is not below that of points on half of a grid.
-bool fill_half(Index points, const Axis& x, const Axis& y) { return x.count <= 2 * points / y.count; }
+bool fill_half(Index points, const GridAxis& x, const GridAxis& y) { return x.count <= 2 * points / y.count; }
 
 // The first point that another one before it has the place of, or their count.
-Index given_twice(const Column& xs, const Column& ys, const Axis& x, const Axis& y) {
+Index given_twice(const Column& xs, const Column& ys, const GridAxis& x, const GridAxis& y) {
   std::vector<bool> known(static_cast<std::size_t>(x.count * y.count));
   for (Index i = 0; i < xs.size(); ++i) {
     auto at = known[static_cast<std::size_t>(x.place(xs(i)) * y.count + y.place(ys(i)))];
@@ -337,7 +336,7 @@ Map map_of_points(const Table& table, const Columns& columns) {
   const Column xs = std::move(given.front()), zs = std::move(given.back()),
                ys = profile ? Column::Zero(xs.size()) : Column(std::move(given[1]));
   if (xs.size() < 2) refuse("a map needs at least 2 points");
-  const Axis x = require_axis(xs, 'x'), y = require_axis(ys, 'y');
+  const GridAxis x = require_axis(xs, 'x'), y = require_axis(ys, 'y');
   if (!fill_half(xs.size(), x, y))
     refuse("{} points fill less than half of a grid of {} x {}", xs.size(), x.count, y.count);
   Map map{.values = Field::Constant(x.count, y.count, Map::unknown)};

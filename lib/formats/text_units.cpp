@@ -196,7 +196,7 @@ class UnitReader {
            !length_in(words[i + 1].text).empty();
   }
 
-  // The unit that a word is, or has beside a name that the subject gets.
+  // The unit that a word is, or has after a name, which the subject gets.
   static std::string unit_at(const std::vector<Word>& words, std::size_t i, Subject& subject) {
     const auto& [text, before, brackets] = words[i];
     if (brackets) return unit_in_brackets(text);

@@ -7,8 +7,8 @@
 ///                      x fastest, with its MD5; or DataList, a Datum for each number
 ///     md5checksum.hex  the MD5 of main.xml
 /// Lengths are metres, and so are floats, whatever Increment says: as in iso5436_2.xsd, openGPS and x3ptools,
-/// while Gwyddion and SurfaceTopography multiply; a note tells. R must keep the points on their grid (half
-/// and quarter turns about z, mirrors, a map turned over, whose heights change their sign); a note tells. A
+/// while Gwyddion and SurfaceTopography multiply; a note says so. R must keep the points on their grid (half
+/// and quarter turns about z, mirrors, a map turned over, whose heights change their sign); a note says so. A
 /// missing point is NaN or infinite (Alicona), an empty Datum, or one whose bit (least significant first) is
 /// 0 in the file named by ValidPointsLink. Integers are signed, as in openGPS and Gwyddion, unlike
 /// SurfaceTopography. Ignored are name spaces of elements, the name of the root, and the folder of main.xml,
@@ -26,13 +26,13 @@
 
 #include <pugixml.hpp>
 
+#include "core/module.hpp"
 #include "formats/archive.hpp"
 #include "formats/format.hpp"
 #include "formats/raster.hpp"
 #include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 #include "formats/x3p_head.hpp"
-#include "formats/x3p_parts.hpp"
 
 namespace asperity {
 namespace {
@@ -219,6 +219,20 @@ std::string encode_x3p(const Map& map, Order) {
 }
 
 }  // namespace
+
+std::unique_ptr<ZipArchive> ZipArchive::open(std::string_view bytes, std::string_view top) {
+  static const auto open_zip = ASPERITY_FROM_MODULE("asperity_zip", asperity_open_zip);
+  std::unique_ptr<ZipArchive> out;
+  open_zip(bytes, top, out);
+  return out;
+}
+
+std::string zip_of(std::span<const ZipEntry> entries) {
+  static const auto make_zip = ASPERITY_FROM_MODULE("asperity_zip", asperity_make_zip);
+  std::string out;
+  make_zip(entries, out);
+  return out;
+}
 
 const Format format::x3p{"x3p", "x3p", "X3P, ISO 5436-2 and ISO 25178-72", is_x3p, decode_x3p, encode_x3p};
 

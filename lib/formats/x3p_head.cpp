@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <md5.h>
+
 #include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 
@@ -17,7 +19,7 @@ pugi::xml_node child(pugi::xml_node node, std::string_view name) {
   const auto named = [&](pugi::xml_node c) { return local_name(c) == name; };
   const pugi::xml_node out = node.find_child(named);
   for (pugi::xml_node next = out.next_sibling(); next; next = next.next_sibling())
-    if (named(next)) refuse("{} is there twice in main.xml: which counts is not told, write it once", name);
+    if (named(next)) refuse("{} is there twice in main.xml: nothing says which counts, write it once", name);
   return out;
 }
 
@@ -111,6 +113,21 @@ std::string place_by(const Eigen::Array33i& rotation) {
   return out + ")";
 }
 
+// The end of a comment or CDATA section that begins here; 0 if none begins.
+std::size_t end_of_other_markup(std::string_view xml, std::size_t at) {
+  constexpr std::pair<std::string_view, std::string_view> marks[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}};
+  for (const auto& [begin, end] : marks)
+    if (xml.substr(at).starts_with(begin)) return std::min(xml.find(end, at), xml.size() - 1);
+  return 0;
+}
+
+// The first element from this position.
+std::size_t find_element(std::string_view list, std::size_t from) {
+  std::size_t at = list.find('<', from);
+  while (at != list.npos && at + 1 < list.size() && list[at + 1] == '/') at = list.find('<', at + 1);
+  return std::min(at, list.size());
+}
+
 }  // namespace
 
 Head head_of(pugi::xml_node root) {
@@ -144,6 +161,40 @@ void make_heights(Map& map, const Head& head) {
   if (r.row(1).sum() < 0) map.values = map.values.rowwise().reverse().eval();
   const double factor = head.increment * r(2, 2);
   if (factor != 1 || head.offset != 0) map.values = map.values * factor + head.offset;
+}
+
+ListPlace list_in(std::string_view xml) {
+  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
+    if (const std::size_t end = end_of_other_markup(xml, at); end > 0) {
+      at = end;
+      continue;
+    }
+    const std::size_t end = std::min(xml.find_first_of(" \t\r\n/><", at + 1), xml.size());
+    const std::string_view name = xml.substr(at + 1, end - at - 1);
+    if (name.substr(name.find(':') + 1) != "DataList") continue;
+    const std::size_t begin = xml.find('>', end), close = xml.find("</" + std::string(name), end);
+    if (close == xml.npos || begin > close) break;
+    return {begin + 1, close};
+  }
+  return {xml.size(), xml.size()};
+}
+
+void for_each_element(std::string_view list, const std::function<void(pugi::xml_node)>& take) {
+  constexpr std::size_t piece = 1 << 16;
+  for (pugi::xml_document document; !list.empty();) {
+    const std::size_t end = find_element(list, piece);
+    constexpr unsigned parts = pugi::parse_default | pugi::parse_fragment;
+    const auto parsed = document.load_buffer(list.data(), end, parts, pugi::encoding_utf8);
+    if (!parsed) refuse("DataList in main.xml is not valid XML: {}", parsed.description());
+    for (const pugi::xml_node node : document) take(node);
+    list.remove_prefix(end);
+  }
+}
+
+std::string md5_of(std::string_view bytes) {
+  char digits[MD5_DIGEST_STRING_LENGTH];
+  MD5Data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), digits);
+  return digits;
 }
 
 }  // namespace asperity::x3p

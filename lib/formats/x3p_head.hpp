@@ -1,7 +1,10 @@
-/// What main.xml of an X3P says of its numbers: Record1 and the size in Record3.
+/// What main.xml of an X3P says of its numbers: Record1 and the size in Record3; its DataList in pieces:
+/// parsed whole, it needs twenty times the memory of the map; and checksums.
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -31,5 +34,17 @@ struct Head {
 Head head_of(pugi::xml_node root);
 /// Numbers of a file become heights: z = r33 Increment number + Offset, with x and y where R takes them.
 void make_heights(Map& map, const Head& head);
+
+/// The position of the content of the first DataList; empty and at the end if there is none.
+struct ListPlace {
+  std::size_t begin, end;
+};
+ListPlace list_in(std::string_view xml);
+
+/// Calls take(element) for each element of a list. Throws DataError("map", …) if it is not valid XML.
+void for_each_element(std::string_view list, const std::function<void(pugi::xml_node)>& take);
+
+/// The MD5 of bytes, 32 digits in lower case.
+std::string md5_of(std::string_view bytes);
 
 }  // namespace asperity::x3p

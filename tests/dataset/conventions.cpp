@@ -72,7 +72,7 @@ TEST_CASE("packed heights are scaled and shifted, and their marks are not", "[co
 
 // The default fill 9.97e36 of what was never written was a height.
 TEST_CASE("what was never written is missing, of every type but bytes", "[conventions][exact]") {
-  const double fill = 9.969209968386869e36;
+  const double fill = default_fill;
   check_equal(read(surface(Twelve<double>{fill, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})),
               {none, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
   check_equal(read(surface(Twelve<float>{static_cast<float>(fill), 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})),

@@ -87,7 +87,7 @@ TEST_CASE("a file of checksums is read if it is no larger than such a file is",
       bytes_of(small_map().values, {NumberType::float64, std::endian::little, Order::yx});
   Description d{.size_x = "5", .size_y = "3"};
   d.third = link(data);
-  const std::string main = main_xml(d), line = md5_of(main) + " *main.xml\n";
+  const std::string main = main_xml(d), line = x3p::md5_of(main) + " *main.xml\n";
   const auto with = [&](std::size_t lines) {
     std::string sums;
     for (std::size_t i = 0; i < lines; ++i) sums += line;

@@ -30,7 +30,7 @@ TEST_CASE(
   d.third = link(data);
   std::string main = main_xml(d);
   for (std::size_t at = 0; (at = main.find("p:ISO5436_2", at)) != main.npos;) main.replace(at, 11, "ISO5436");
-  const std::string right = md5_of(main) + " *main.xml", wrong = md5_of("") + " *main.xml";
+  const std::string right = x3p::md5_of(main) + " *main.xml", wrong = x3p::md5_of("") + " *main.xml";
   const Entries beside{{"__MACOSX/map/._main.xml", "?"}, {"map/.DS_Store", "?"}, {"bindata/data.bin", "?"}};
   for (const char* stroke : {"/", "\\"}) {
     const std::string folder = std::string("a map") + stroke;
@@ -58,7 +58,7 @@ TEST_CASE("an X3P with two entries of one name is refused if it needs them", "[f
     std::string bytes = deflated({{"main.xml", main},
                                   {"bindata/data.bin", data},
                                   {"bindata/valid.bin", "\x3F"},
-                                  {"md5checksum.hex", md5_of(main)},
+                                  {"md5checksum.hex", x3p::md5_of(main)},
                                   {other, "?"}});
     for (std::size_t at = 0; (at = bytes.find(other, at)) != bytes.npos; ++at)
       bytes.replace(at, name.size(), name);
@@ -74,7 +74,7 @@ TEST_CASE("an X3P with two entries of one name is refused if it needs them", "[f
 
 TEST_CASE("a wrong checksum of an X3P is named", "[formats][contract]") {
   Description d;
-  const std::string data = numbers_of_type(NumberType::float64), digest = md5_of("something else");
+  const std::string data = numbers_of_type(NumberType::float64), digest = x3p::md5_of("something else");
   d.third = link(data);
   const std::string main = main_xml(d);
   CHECK_THROWS_WITH(

@@ -9,7 +9,7 @@
 
 #include "formats/format.hpp"
 #include "formats/raster.hpp"
-#include "formats/x3p_parts.hpp"
+#include "formats/x3p_head.hpp"
 
 namespace asperity::test {
 
@@ -57,17 +57,18 @@ inline std::string link(const std::string& data, const std::string& mask = "") {
   const std::string valid = mask.empty() ? ""
                                          : "<ValidPointsLink>bindata/valid.bin</ValidPointsLink>"
                                            "<MD5ChecksumValidPoints>" +
-                                               md5_of(mask) + "</MD5ChecksumValidPoints>";
-  return "<DataLink><PointDataLink>bindata/data.bin</PointDataLink><MD5ChecksumPointData>" + md5_of(data) +
-         "</MD5ChecksumPointData>" + valid + "</DataLink>";
+                                               x3p::md5_of(mask) + "</MD5ChecksumValidPoints>";
+  return "<DataLink><PointDataLink>bindata/data.bin</PointDataLink><MD5ChecksumPointData>" +
+         x3p::md5_of(data) + "</MD5ChecksumPointData>" + valid + "</DataLink>";
 }
 
 /// An archive of a description, its numbers and, if there is one, a mask.
 inline std::string foreign_x3p(Description d, const std::string& data, const std::string& mask = "") {
   d.third = link(data, mask);
   const std::string main = main_xml(d);
-  Entries entries{
-      {"bindata/data.bin", data}, {"main.xml", main}, {"md5checksum.hex", md5_of(main) + " *main.xml\n"}};
+  Entries entries{{"bindata/data.bin", data},
+                  {"main.xml", main},
+                  {"md5checksum.hex", x3p::md5_of(main) + " *main.xml\n"}};
   if (!mask.empty()) entries.emplace_back("bindata/valid.bin", mask);
   return deflated(entries);
 }

@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "formats/format.hpp"
-#include "formats/head.hpp"
 #include "formats/text_numbers.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/cli/record.hpp"
@@ -63,9 +62,12 @@ std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimit
 // Gwyddion 2.62 takes sizes of WSxM in the prefix of the heights: where heights are in nm, 1 µm becomes 1 nm.
 void check_wsxm(const Map& map, std::string_view bytes) {
   if (!bytes.starts_with("WSxM file copyright")) return;
-  const Head head(bytes.substr(0, bytes.find("[Header end]")), ":");
   for (const std::string_view key : {"X Amplitude", "Y Amplitude"}) {
-    const auto stated = leading_number<double>(head.text(key));
+    const std::size_t at = bytes.find(key);
+    std::string_view rest = bytes.substr(std::min(at, bytes.size()));
+    const std::string_view line = take_line(rest),
+                           words = trimmed(line.substr(std::min(line.find(':') + 1, line.size())));
+    const auto stated = leading_number<double>(words);
     if (!stated.found) continue;
     const bool x = key[0] == 'X';
     const double size = stated.number * metres_per(trimmed(stated.rest)),
@@ -73,7 +75,7 @@ void check_wsxm(const Map& map, std::string_view bytes) {
                      map.spacing[x ? 0 : 1] * static_cast<double>(x ? map.values.rows() : map.values.cols());
     if (!(std::abs(taken - size) <= 1e-3 * size))
       throw DataError("map", fmt::format("Gwyddion takes {} '{}' for {} m: give its `size`", key,
-                                         one_line(head.text(key), 24), taken));
+                                         one_line(words, 24), taken));
   }
 }
 

@@ -69,7 +69,9 @@ std::string example_of(const Documents& more, std::size_t width) {
 std::string accuracy_in_lines(const std::string& tool, std::size_t width) {
   std::string out;
   for (const auto& [item, text] : accuracy_of(tool))
-    out += (item ? "  * " : out.empty() ? "  " : "\n  ") +
+    out += (item          ? "  * "
+            : out.empty() ? "  "
+                          : "\n  ") +
            flowing(text, width - (item ? 4 : 2), item ? "    " : "  ") + "\n";
   return out.empty() ? "" : "\nAccuracy:\n" + out;
 }

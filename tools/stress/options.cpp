@@ -74,10 +74,8 @@ void StressOptions::declare_content(Tool& tool) {
             "Leave out stresses of smaller magnitude; 100MPa, 0.1p0 (of the Hertz pressure) or 0.1pmax (of "
             "the largest contact pressure). They become _FillValue",
             content);
-  tool.choice(
-      "--resolution", resolution, {"adapted", "full"},
-      "Cells of deep layers; adapted: wider ones where they suffice; full: all of them",
-      content);
+  tool.choice("--resolution", resolution, {"adapted", "full"},
+              "Cells of deep layers; adapted: wider ones where they suffice; full: all of them", content);
 }
 
 void StressOptions::declare_body(Tool& tool) {

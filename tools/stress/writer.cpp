@@ -8,12 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "dataset/conventions.hpp"
 #include "stress/load.hpp"
 
 namespace asperity::cli {
 namespace {
 
-constexpr double fill = 9.9692099683868690e+36;  // NetCDF's own
+constexpr double fill = default_fill;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What is no stress, such as a direction, is kept, and then needs every layer.
