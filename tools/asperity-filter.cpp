@@ -52,8 +52,9 @@ std::string output_for(const cli::Tool& tool, std::size_t number, std::size_t of
 void claim_outputs(cli::Tool& tool, cli::EnsembleInput& surfaces) {
   const std::size_t of = surfaces.resolve(tool);
   if (of == 1) return;
-  for (std::size_t k = 1; k <= of; ++k) tool.writes("output", output_for(tool, k, of));
-  for (const std::string& file : surfaces.files) tool.reads(file);
+  std::vector<std::string> outputs;
+  for (std::size_t k = 1; k <= of; ++k) outputs.push_back(output_for(tool, k, of));
+  surfaces.claim(tool, "output", outputs);
 }
 
 // Writes the map; whether its solvers have converged.

@@ -124,6 +124,13 @@ std::size_t EnsembleInput::resolve(const Tool& tool) {
   return files.size();
 }
 
+void EnsembleInput::claim(Tool& tool, const std::string& option,
+                          const std::vector<std::string>& outputs) const {
+  for (const std::string& output : outputs) tool.writes(option, output);
+  if (files.size() > 1)
+    for (const std::string& file : files) tool.reads(file);
+}
+
 Dataset EnsembleInput::only(const Tool& tool) {
   Dataset out;
   for_each(

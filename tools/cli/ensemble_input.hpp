@@ -62,6 +62,9 @@ class EnsembleInput {
   /// How many surfaces there are; `files` are their names from now on. Reads the list, if there is one.
   /// Several ranks share one surface, from a file.
   std::size_t resolve(const Tool& tool);
+  /// Before the work: these files are written. Throws UsageError(option, …) where one is written twice, or is
+  /// one of several surfaces; one that is alone is compared when it is read.
+  void claim(Tool& tool, const std::string& option, const std::vector<std::string>& outputs) const;
 
   /// The surface, where there is one.
   Dataset only(const Tool& tool);

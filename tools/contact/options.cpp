@@ -234,8 +234,10 @@ void ContactOptions::check_table(Tool& tool) const {
   if (sweeps() && several())
     throw UsageError("each", "numbers the loads of one surface, or several surfaces under one load");
   check_dataset_name(numbered("each", each, 1), "each");
+  std::vector<std::string> outputs;
   for (std::size_t k = 1; k <= (sweeps() ? loads.size() : surfaces_); ++k)
-    tool.writes("each", numbered("each", each, static_cast<std::int64_t>(k)));
+    outputs.push_back(numbered("each", each, static_cast<std::int64_t>(k)));
+  surfaces.claim(tool, "each", outputs);
 }
 
 }  // namespace asperity::cli
