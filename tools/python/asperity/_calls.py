@@ -1,7 +1,7 @@
 """The functions: one for each tool, and those that put tools together."""
 from . import _data, _options
 from ._stage import Stage, run_pipe
-from .errors import ToolError
+from .errors import ToolError, brief
 
 
 def function(name, waits=False):
@@ -58,7 +58,7 @@ def pipe(*stages):
     first, *others = stages
     for later in others:
         if not isinstance(later, Stage) or later.surfaces:
-            raise TypeError(f"{_data.brief(later)} is no stage: later arguments are tools without a dataset")
+            raise TypeError(f"{brief(later)} is no stage: later arguments are tools without a dataset")
     if not isinstance(first, Stage):
         first, *others = Stage(others[0].name, others[0].options, [first]), *others[1:]
     if first.waits:

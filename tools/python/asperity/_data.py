@@ -6,6 +6,8 @@ import collections.abc
 import os
 import sys
 
+from .errors import brief
+
 
 class Source:
     """Data that a tool reads as a file: `pieces()` are its bytes, `name` is what messages call it."""
@@ -45,12 +47,6 @@ def is_name(value):
 def with_unit(number, unit):
     """A quantity; behind a blank, a number of the unit's own is none of the first's digits, and the tool refuses it."""
     return number + ("" if unit[:1].isalpha() or not unit else " ") + unit
-
-
-def brief(value):
-    """A value in a message, on one line."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 60 else f"<{type(value).__name__}>"
 
 
 def field_of(value):

@@ -12,9 +12,8 @@ import warnings
 
 import numpy as np
 
-from ._data import brief
 from ._types import OF_CDF5, number_of
-from .errors import ToolWarning
+from .errors import ToolWarning, brief
 
 PIECE = 1 << 20  # bytes
 NAME = re.compile(r"[A-Za-z0-9_\x80-\ud7ff\ue000-\U0010ffff][^\x00-\x1f/\x7f\ud800-\udfff]*")

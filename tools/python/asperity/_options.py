@@ -12,7 +12,7 @@ import shutil
 import subprocess
 
 from . import _data
-from .errors import ToolError, UsageError
+from .errors import ToolError, UsageError, brief
 
 PREFIX = "asperity-"
 NO_PARAMETERS = ("quiet", "json")  # notes are logged, and tables are read
@@ -127,7 +127,7 @@ def _words_of(option, name, value):
     flag = "--" + option["name"]
     if option["value"] == "flag":
         if not _data.is_truth(value):
-            raise TypeError(f"{name}={_data.brief(value)}: the option stands alone, True or False")
+            raise TypeError(f"{name}={brief(value)}: the option stands alone, True or False")
         return [flag] if value else []
     out = []
     for one in value if option["repeated"] and isinstance(value, list) else [value]:
@@ -141,7 +141,7 @@ def _file(option, name, value):
     if _data.is_name(value):
         return os.fspath(value)
     if option["kind"] not in ("FILE", "NAME|FILE") or option["name"] == "output":
-        raise TypeError(f"{name}={_data.brief(value)}: the name of a file is needed")
+        raise TypeError(f"{name}={brief(value)}: the name of a file is needed")
     return _data.source(value, name)
 
 
@@ -162,7 +162,7 @@ def _text(option, name, value, unit=None):
         return _number(option, name, value, unit if own else "")
     if isinstance(value, (list, tuple)) or getattr(value, "ndim", None) == 1:
         return ("x" if option["kind"] == "AxB" else ",").join(_text(option, name, v, unit) for v in value)
-    raise TypeError(f"{name}={_data.brief(value)}: the option needs {option['kind']}, as text or numbers")
+    raise TypeError(f"{name}={brief(value)}: the option needs {option['kind']}, as text or numbers")
 
 
 def _number(option, name, value, unit):

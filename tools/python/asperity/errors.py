@@ -34,3 +34,9 @@ class ToolWarning(UserWarning):
 
 
 OF_STATUS = {2: UsageError, 3: NotConverged, 4: BadData}
+
+
+def brief(value):
+    """A value in a message, on one line."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else f"<{type(value).__name__}>"
