@@ -92,7 +92,6 @@ TEST_CASE("what asperity-acf and asperity-psd write is that of --result, on a te
     CHECK_THAT(shell(on_terminal + " --result profiles' /dev/null").out, ContainsSubstring("standard_error"));
     CHECK(shell(command + " --result table").exit == 2);
     CHECK_THAT(shell(command + " -o table.tsv").error, ContainsSubstring(tables));
-    CHECK_THAT(shell(command + " --profiles").error, EndsWith("--profiles: it is now --result profiles\n"));
   }
 }
 
