@@ -20,7 +20,7 @@ constexpr double depth_share = 0.275,
 constexpr double floor_of_depth = 0.1;         // of the second difference
 constexpr double near_plastic = 0.1;           // of the value above 2h below a limit pressure
 
-// Of the largest pressure: the edge of cells is a stair, tests/stress/edge.cpp.
+// Of the largest pressure: the edge of cells is a stair, tests/stress/maximum_error.cpp.
 constexpr double edge_stairs = 0.015;
 
 // Of the surface in the plane stress σxx, σyy.
