@@ -26,8 +26,7 @@
 ///           repeats along one by no multiple of four. Above 6 Δ these are layers of the full cells. Where
 ///           cells repeat along one axis a point takes 20 μs a loaded cell (stress/points.hpp); along both 4
 ///           ms at 1024² cells, and many nearly equal maxima, as at a limit pressure, take 3 s there, five
-///           times the contact.
-///           Maxima that recur are refined once.
+///           times the contact (1.9 s at 512², 14 times). Maxima that recur are refined once.
 #pragma once
 
 #include <functional>
