@@ -14,17 +14,25 @@
 /// A band is as high as the threads need to be busy and the memory allows; tiles are the same in every band.
 /// So the surface depends neither on the number of threads nor on the memory, to the last bit.
 ///
+/// Of a kernel on a torus, the root of a spectrum (acf/periodic.hpp), the surface is the torus, which is
+/// periodic, or a corner of it:
+///     z = inverse transform of root · η^,                                                               (2)
+/// one transform of the torus there and back. Its noise has the rows of the torus.
+///
 /// Symbols   N × M  points of the surface   K × L  of the kernel   A × B  of a tile   P × Q  of its torus
 /// Accuracy  round-off: ε log2(P Q) Σ|kernel| max|η|.
 /// Cost      direct: N M K L multiply-adds; by transform: two real transforms of P Q points a tile. The
 ///           cheaper one is taken. The noise costs 8 ns a value, and each value is drawn once.
-/// Memory    (A + K - 1)(M + L - 1) + A M doubles for the lowest band, P Q shared and 2 P Q a thread.
+/// Memory    (A + K - 1)(M + L - 1) + A M doubles for the lowest band, P Q shared and 2 P Q a thread; on a
+///           torus of P Q points 1.5 P Q, half of a P Q of them shared by all surfaces.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 
+#include "acf/periodic.hpp"
 #include "core/field.hpp"
 #include "math/noise.hpp"
 
@@ -86,6 +94,9 @@ class Synthesis {
   /// Throws ParameterError("shape") of a surface without points, ("kernel") of a kernel without coefficients,
   /// ("memory") when one strip needs more.
   Synthesis(Field kernel, Shape surface, Options options);
+  /// (2), of the rms height `rms` before a translation; `periodic` is what the root's torus is. Throws
+  /// ParameterError("shape") of a surface larger than the torus, and ("memory").
+  Synthesis(SpectralRoot root, double rms, Shape surface, Options options);
 
   /// The surface of this noise, row by row. Exceptions of the sink pass on. For several threads at once.
   void surface(const WhiteNoise& noise, const RowSink& sink) const;
@@ -99,20 +110,25 @@ class Synthesis {
   /// Rows that a sink gets at a time, at most.
   Index band_rows() const { return strips_ * filter_.tile.nx; }
   /// Bytes that drawing takes, the result apart.
-  std::size_t working_set() const { return bytes(strips_, options_.threads); }
+  std::size_t working_set() const { return root_ ? torus_bytes() : bytes(strips_, options_.threads); }
 
  private:
   void choose_band();
+  std::size_t torus_bytes() const;
+  Shape middle() const;  ///< the lag zero of the kernel
+  void torus_rows(const WhiteNoise& noise, Field& room, const RowSink& sink) const;
+  void noise_of_torus(const WhiteNoise& noise, const RowSink& sink) const;
   std::size_t bytes(Index strips, int threads) const;
   Index noise_columns() const { return surface_.ny + kernel_.cols() - 1; }
   void draw(const WhiteNoise& noise, Index first, Eigen::Ref<Field> rows) const;
   void bands(const WhiteNoise& noise, Eigen::Ref<Field> room, const RowSink& sink) const;
   void filter(const Eigen::Ref<const Field>& noise, Eigen::Ref<Field> out) const;
 
-  Field kernel_;
+  Field kernel_ = {};
+  std::shared_ptr<const SpectralRoot> root_ = {};  ///< in place of a kernel
   Shape surface_;
   Options options_;
-  TileFilter filter_;
+  TileFilter filter_ = {};
   Index strips_ = 1;  ///< rows of tiles in a band
 };
 

@@ -47,7 +47,7 @@ TEST_CASE("periodic surfaces have the mean square asked for however far their co
                                        {Shape{128, 1}, 20.0},
                                        {Shape{33, 20}, 15.0}}) {
     const Field rho = correlation_on(period, length);
-    const Synthesis synthesis(periodic_kernel(rho, period), period, {.periodic = true});
+    const Synthesis synthesis(spectral_root(rho, period), 1, period, {.periodic = true});
     double mean = 0;
     for (int n = 0; n < surfaces; ++n)
       mean += synthesis.surface(WhiteNoise(22, static_cast<std::uint64_t>(n))).square().mean() / surfaces;
@@ -57,4 +57,39 @@ TEST_CASE("periodic surfaces have the mean square asked for however far their co
     CHECK(error <= 0.08);
     CHECK(std::abs(mean - 1) <= 4 * error);
   }
+}
+
+// Transforms there and back, of values that are below √N on average: ε log2(N) and more. The noise is the
+// same.
+TEST_CASE("the surface of a torus is the average by the root's kernel of noise that repeats itself",
+          "[periodic][exact]") {
+  for (const Shape period : {Shape{64, 40}, Shape{33, 20}, Shape{1, 50}, Shape{50, 1}, Shape{17, 13}}) {
+    const SpectralRoot root = spectral_root(correlation_on(period, 8), period);
+    const WhiteNoise noise(3, 5);
+    const Synthesis average(2.5 * kernel_of(root), period, {.periodic = true});
+    const Field whole = average.surface(noise);
+    CAPTURE(period.nx, period.ny);
+    for (const int threads : {1, 3}) {
+      const Synthesis torus(root, 2.5, period, {.periodic = true, .threads = threads});
+      CHECK((torus.surface(noise) - whole).abs().maxCoeff() <= 1e-13);
+      const Shape corner{(period.nx + 1) / 2, (period.ny + 2) / 3};
+      const Synthesis part(root, 2.5, corner, {.threads = threads});
+      CHECK((part.surface(noise) == torus.surface(noise).topLeftCorner(corner.nx, corner.ny)).all());
+      Field rows(corner.nx, corner.ny), below(corner.nx, corner.ny), expected(period.nx, period.ny);
+      part.surface(noise,
+                   [&](Index first, Eigen::Ref<Field> some) { rows.middleRows(first, some.rows()) = some; });
+      CHECK((rows == part.surface(noise)).all());
+      part.noise_below(
+          noise, [&](Index first, Eigen::Ref<Field> some) { below.middleRows(first, some.rows()) = some; });
+      average.noise_below(noise, [&](Index first, Eigen::Ref<Field> some) {
+        expected.middleRows(first, some.rows()) = some;
+      });
+      CHECK((below == expected.topLeftCorner(corner.nx, corner.ny)).all());
+    }
+  }
+  const SpectralRoot small = spectral_root(Field::Ones(1, 1), {8, 8});
+  CHECK_THROWS_MATCHES(Synthesis(small, 1, {9, 8}, {}), ParameterError,
+                       Message("9x8: larger than the torus of the kernel, 8x8"));
+  CHECK_THROWS_MATCHES(Synthesis(small, 1, {8, 8}, {.memory = 1000}), ParameterError,
+                       Message("1kB does not hold the torus of this surface: 3kB do"));
 }
