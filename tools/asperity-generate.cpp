@@ -21,22 +21,24 @@ std::size_t standing(const Dataset& base, int copies) {
 }
 
 // How many surfaces are drawn at once, by the noise that each needs.
-int drawn_at_once(const cli::Tool& tool, const cli::GenerateOptions& o, const Field& kernel) {
+int drawn_at_once(const cli::Tool& tool, const cli::GenerateOptions& o, const cli::SurfaceKernel& kernel) {
   if (o.count == 1) return 1;
   for (int k = 0; k < o.count; ++k)
     if (!cli::replaces_file(o.output_name(tool, k))) return 1;
-  const Shape noise = o.periodic ? o.shape : Shape{o.shape.nx + kernel.rows(), o.shape.ny + kernel.cols()};
+  const Field& values = kernel.tables.kernel;
+  const Shape noise = kernel.root  ? kernel.root->torus
+                      : o.periodic ? o.shape
+                                   : Shape{o.shape.nx + values.rows(), o.shape.ny + values.cols()};
   return std::min(o.count, cli::datasets_at_once(tool, noise));
 }
 
 void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel kernel,
           const cli::HeightDistribution& distribution) {
   const double rms = kernel.tables.rms();
-  Field values = std::move(kernel.tables.kernel);
-  kernel.tables = {};  // their memory is for the surface
-  const int at_once = drawn_at_once(tool, o, values);
-  const Synthesis synthesis = o.synthesis(tool, std::move(values), distribution.heights,
-                                          standing(kernel.data, o.count > 1 ? at_once : 0), at_once);
+  Dataset data = std::move(kernel.data);
+  const int at_once = drawn_at_once(tool, o, kernel);
+  const Synthesis synthesis = o.synthesis(tool, std::move(kernel), distribution.heights,
+                                          standing(data, o.count > 1 ? at_once : 0), at_once);
   cli::Progress progress(tool);
   const std::string unit = o.count > 1 ? "surfaces" : "";
   cli::OrderedWork surfaces(at_once);
@@ -56,7 +58,7 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
                                  tool.memory() / static_cast<std::size_t>(at_once),
                                  std::move(advanced)};
       const bool last = at_once == 1 && k + 1 == o.count;
-      drawing.write(tool, last ? std::exchange(kernel.data, {}) : kernel.data, o.output_name(tool, k));
+      drawing.write(tool, last ? std::exchange(data, {}) : data, o.output_name(tool, k));
       return [&, k] { progress.count(k + 1, o.count, unit); };
     });
   }

@@ -1,4 +1,5 @@
 /// Solves the autocorrelation equations for the moving-average kernel of a random surface.
+#include "dataset/layout.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/surface/periodic_kernel.hpp"
 #include "tools/surface/prospect.hpp"
@@ -39,8 +40,13 @@ void adopt_period(Options& o, cli::KernelProblem& problem) {
   if (o.shape == Shape{} && !problem.period)
     throw cli::UsageError("shape", "is required by --periodic: the table does not tell a whole period");
   if (o.shape == Shape{}) o.shape = *problem.period;
-  if (problem.period != o.shape) problem.period.reset();
-  problem.narrow(o.shape);
+}
+
+// Of a table that needs no equations: that of the table, unless given.
+Shape surface_of(const Options& o, const cli::KernelProblem& problem) {
+  if (o.periodic || o.shape != Shape{}) return o.shape;
+  const Dataset& data = problem.data;
+  return data.has("x") && data.has("y") ? grid_of(data).shape : Shape{};
 }
 
 void wrap(const cli::Tool& tool, cli::KernelSolution& solution, Shape period) {
@@ -73,6 +79,8 @@ int main(int argc, char** argv) {
     cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, cli::wanted_table(tool, o.kernel), known,
                                                      o.periodic ? o.shape : Shape{});
     if (o.periodic) adopt_period(o, problem);
+    problem.lay_out(tool, problem.positive_definite || o.periodic ? surface_of(o, problem) : Shape{},
+                    o.periodic);
     cli::foresee(tool, problem, sized || o.periodic ? o.shape : Shape{}, true);
     if (o.periodic) problem.wrap(tool, o.shape);
     const cli::SolvedKernel kernel = cli::solve(tool, problem);

@@ -73,6 +73,7 @@ class BandLimited {
   const Band& band() const { return band_; }
   /// R/σ² at the lags p = 0 … N/2, q = -M/2 … M/2.
   Field correlation() const { return correlation_of_power(power_, period_); }
+  SpectralRoot root() const { return root_of_power(power_, period_); }
   /// Of the whole period, lag zero in its middle, of unit variance.
   Field kernel() const { return kernel_of_power(power_, period_); }
   /// (4), over the square of the unit of the lengths.

@@ -235,6 +235,8 @@ KernelCost wider_kernel_cost(Shape lags, Index torus) {
 
 KernelCost periodic_kernel_cost(Shape torus) { return {150 * unknowns(torus), 16 * unknowns(torus)}; }
 
+KernelCost root_cost(Shape torus) { return {20 * unknowns(torus), 0}; }
+
 void check_memory(KernelCost cost, double memory, Shape torus) {
   if (cost.memory > memory)
     throw ParameterError("memory", megabytes(memory) + ": a kernel of the period, " + text(torus) +

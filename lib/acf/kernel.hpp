@@ -167,6 +167,9 @@ KernelCost wider_kernel_cost(Shape lags, Index torus = 4);  ///< (3)
 /// 150 bytes per point of the torus of acf/periodic.hpp, including 8 in a dataset and 8 for its tables.
 KernelCost periodic_kernel_cost(Shape torus);
 
+/// 20 bytes per point of the torus of a root that draws surfaces without a kernel.
+KernelCost root_cost(Shape torus);
+
 /// Throws ParameterError("memory") where that is more than the request allows.
 void check_memory(const KernelRequest& request, Shape lags, KernelCost cost);
 /// The same for a kernel on a torus, given its number of bytes.

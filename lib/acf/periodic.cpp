@@ -141,6 +141,15 @@ void correlation_of(const SpectralRoot& root, Index rows, const LagRows& sink, i
   });
 }
 
+Field correlation_of(const SpectralRoot& root, int threads) {
+  Field out(root.torus.nx / 2 + 1, root.torus.ny / 2 * 2 + 1);
+  correlation_of(
+      root, out.rows(),
+      [&](Index begin, const Eigen::Ref<const Field>& rows) { out.middleRows(begin, rows.rows()) = rows; },
+      threads);
+  return out;
+}
+
 Field periodic_kernel(const Field& half_plane, Shape torus) {
   return kernel_of(spectral_root(half_plane, torus));
 }

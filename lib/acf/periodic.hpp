@@ -57,6 +57,9 @@ using LagRows = std::function<void(Index first, const Eigen::Ref<const Field>& r
 /// The correlation of the root's kernel at the rows of lags p = 0 … rows-1, at most N/2 + 1.
 void correlation_of(const SpectralRoot& root, Index rows, const LagRows& sink, int threads = 1);
 
+/// At all lags p = 0 … N/2, q = -M/2 … M/2.
+Field correlation_of(const SpectralRoot& root, int threads = 1);
+
 /// kernel_of(spectral_root).
 Field periodic_kernel(const Field& half_plane, Shape torus);
 

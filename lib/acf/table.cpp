@@ -116,6 +116,7 @@ Target target_of_table(Field half_plane) {
   });
   target.oriented = oriented;
   target.known = known;
+  target.table = table;
   return target;
 }
 

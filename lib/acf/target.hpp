@@ -34,6 +34,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -51,6 +52,7 @@ struct Target {
   Row row;
   bool oriented = false;                    ///< R(p,-q) ≠ R(p,q) at some lags
   std::optional<Shape> known = {};          ///< of a table: nothing is known at |p| ≥ nx or |q| ≥ ny
+  std::shared_ptr<const Field> table = {};  ///< its half plane, R/R(0,0)
   std::function<Shape(double)> reach = {};  ///< the least n × m with |R| ≤ t where |p| ≥ n or |q| ≥ m
 
   Target() = default;

@@ -75,6 +75,7 @@ inline constexpr KnownAttribute attributes[] = {
     {"kernel_kurtosis", parameter, "1", "target kurtosis"},
     {"kernel_lags", parameter, "sample", "extent of the kernel along x, y"},
     {"kernel_period", parameter, "sample", "period of the surfaces along x, y"},
+    {"kernel_corner", parameter, "sample", "largest surface that is a corner of that period along x, y"},
     {"kernel_formulation", parameter, "", "formulation"},
     {"kernel_method", parameter, "", "method"},
     {"kernel_tolerance", parameter, "1", "tolerance of the residual"},

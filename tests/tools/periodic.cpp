@@ -69,7 +69,7 @@ TEST_CASE("surfaces that their correlation reaches around have the rms height as
         "--shape 47x62 --size 1mm --length 18px,11px --angle 30deg",
         "--shape 64x64 --size 1mm --length 24px --skewness 1 --kurtosis 5",
         "--shape 64x64 --size 1mm --length 24px --skewness 0.2 --kurtosis 3.2 --method filter",
-        "--shape 2000x32 --size 1mm --length 16px --memory 4MB"}) {
+        "--shape 2000x32 --size 1mm --length 16px --memory 12MB"}) {
     const auto [mean, error] = mean_square(options, 90);
     CAPTURE(options, mean, error);
     CHECK(error <= 0.08);
@@ -218,7 +218,10 @@ TEST_CASE("a periodic surface has twins of exactly its autocorrelation over the 
     CHECK((drawn_from(twin, period) - measured).abs().maxCoeff() <= bound);
     CHECK((table_of(twin, "acf_achieved") - measured).abs().maxCoeff() <= bound);
     require("asperity-generate -q --periodic --acf a.nc --seed 3 -o direct.nc");
-    CHECK(numbers(read_dataset("direct.nc").at("heights").values) == numbers(twin.at("heights").values));
+    // Without a kernel the root is that of the spectrum, not of the kernel's.
+    const auto heights = [](const Dataset& data) -> Field { return field_of(data, "heights"); };
+    CHECK((heights(read_dataset("direct.nc")) - heights(twin)).abs().maxCoeff() <=
+          1e-12 * std::sqrt(measured(0, measured.cols() / 2)));
   }
   // Fewer lags are those of any surface.
   require(

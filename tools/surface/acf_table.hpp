@@ -26,6 +26,7 @@ struct AcfTable {
   HeightsWithAcf heights = {};       ///< whose autocorrelation it is
   std::optional<Shape> period = {};  ///< of a periodic surface, where the table has all of its lags
   bool any_period = false;           ///< a text, which does not say its surface's
+  bool positive_definite = false;    ///< as it stands, and 0 beyond its lags: of a tapered surface
   Dataset dataset;  ///< what came with the table, less what belongs to the surface that it was taken from
 
   /// The period; of a text these periodic points, where it has all of their lags.

@@ -87,13 +87,20 @@ std::string GenerateOptions::output_name(const Tool& tool, int k) const {
   return count > 1 || has_place_for_number(name) ? numbered("output", name, number(k)) : name;
 }
 
-Synthesis GenerateOptions::synthesis(const Tool& tool, Field kernel_values, Pointwise translation,
+Synthesis GenerateOptions::synthesis(const Tool& tool, SurfaceKernel source, Pointwise translation,
                                      std::size_t held, int at_once) const {
   const auto share = static_cast<std::size_t>(at_once);
-  return {std::move(kernel_values),
-          shape,
-          {periodic, Summation::cheapest, at_once > 1 ? 1 : tool.thread_count(), tool.memory() / share,
-           std::move(translation), held / share}};
+  Synthesis::Options options{periodic,
+                             Summation::cheapest,
+                             at_once > 1 ? 1 : tool.thread_count(),
+                             tool.memory() / share,
+                             std::move(translation),
+                             held / share};
+  if (source.root) {
+    const double rms = source.tables.translated ? 1 : source.tables.rms();
+    return {std::move(*source.root), rms, shape, std::move(options)};
+  }
+  return {std::move(source.tables.kernel), shape, std::move(options)};
 }
 
 namespace {
@@ -115,7 +122,9 @@ void adopt_grid(const Tool& tool, GenerateOptions& o, const Dataset& data) {
 // Throws ParameterError("memory") where a kernel of these lags leaves none for a strip of the surface.
 void refuse_drawing(const Tool& tool, const GenerateOptions& o, Shape lags) {
   auto side = [&](Index n, Index period) { return o.periodic ? std::min(2 * n - 1, period) : 2 * n - 1; };
-  o.synthesis(tool, Field::Zero(side(lags.nx, o.shape.nx), side(lags.ny, o.shape.ny)), {}, 0, 1);
+  SurfaceKernel kernel;
+  kernel.tables.kernel = Field::Zero(side(lags.nx, o.shape.nx), side(lags.ny, o.shape.ny));
+  o.synthesis(tool, std::move(kernel), {}, 0, 1);
 }
 
 void require_model(const Tool& tool) {
@@ -133,15 +142,15 @@ SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
                      sized ? spacing_of(o.shape, o.size) : std::nullopt, o.periodic ? o.shape : Shape{});
   if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, problem.data);
-  if (!o.periodic || problem.period != o.shape) problem.period.reset();
-  problem.narrow(o.shape);
+  if (!o.periodic) problem.period.reset();
+  problem.keeps_kernel = o.adds("kernel");
+  problem.lay_out(tool, o.shape, o.periodic);
   foresee(tool, problem, o.shape, o.adds("kernel"));
-  if (problem.band || !problem.request.target.known)
-    refuse_drawing(tool, o, problem.band ? o.shape : first_lags(problem.request));
+  if (!problem.torus && !problem.request.target.known) refuse_drawing(tool, o, first_lags(problem.request));
   if (o.periodic) problem.wrap(tool, o.shape);
   HeightsWithAcf measured = problem.measured;
-  const SolvedKernel kernel = solve(tool, problem, true);
-  return {record(tool, std::move(problem), kernel, true), {}, std::move(measured)};
+  SolvedKernel kernel = solve(tool, problem, true);
+  return {record(tool, std::move(problem), std::move(kernel), true), {}, std::move(measured)};
 }
 
 // A surface that was drawn without --add kernel.
@@ -164,6 +173,7 @@ SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
   SurfaceKernel out;
   out.data = decode_netcdf(bytes, tool.memory_bound(bytes.size()));
   refuse_surface(out.data);
+  out.data.at("kernel");
   tool.settle(out.data);
   adopt_grid(tool, o, out.data);
   out.before = Inventory(out.data);
@@ -215,7 +225,8 @@ void carry_correlation(Dataset& data, const KernelTables& tables, const Grid& gr
                          .acf_achieved = asked(tables.acf_achieved),
                          .has_height = tables.has_height,
                          .spacing = tables.spacing,
-                         .period = tables.period});
+                         .period = tables.period,
+                         .corner = tables.corner});
 }
 
 // ---- the heights ----
@@ -253,6 +264,8 @@ SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options) {
   out.tables = tables_for(tool, options, out.data);
   check_period(out.tables, shape, options.periodic);
   if (options.periodic) wrap_kernel(tool, out, out.tables, shape);
+  // That of the kernel itself where there is one: the surface is then drawn again from its dataset.
+  if (out.tables.period == shape_of(out.tables.kernel)) out.root = root_of_kernel(out.tables.kernel);
   if (!out.change.empty()) tool.warn(out.change);
   const auto [dx, dy] = *out.tables.spacing;
   const Grid grid{shape, dx, dy, options.periodic};

@@ -16,6 +16,8 @@
 
 namespace asperity::cli {
 
+struct SurfaceKernel;
+
 struct GenerateOptions {
   KernelOptions acf;
   std::string kernel;
@@ -39,7 +41,7 @@ struct GenerateOptions {
 
   /// `held` are bytes of memory that are taken meanwhile; of several surfaces at once, each has its share of
   /// the rest. Throws ParameterError("memory") where there is too little.
-  Synthesis synthesis(const Tool& tool, Field kernel, Pointwise translation, std::size_t held,
+  Synthesis synthesis(const Tool& tool, SurfaceKernel source, Pointwise translation, std::size_t held,
                       int at_once) const;
 
  private:

@@ -35,11 +35,11 @@ Spacing lag_spacing(const Dataset& data) {
 }
 
 void check(const KernelTables& tables) {
-  if (tables.kernel.size() == 0) throw DataError("kernel", "it has no coefficients");
   if (shape_of(tables.acf_target) != shape_of(tables.acf_achieved))
     throw DataError("acf_achieved", "its lags are not those of acf_target");
   if (tables.acf_target.cols() % 2 == 0 || !(tables.rms() > 0))
     throw DataError("acf_target", "its middle column does not begin with the variance");
+  if (tables.kernel.size() == 0) return;
   const double variance = tables.kernel.square().sum(),
                stated = tables.translated ? 1 : tables.acf_achieved(0, tables.acf_achieved.cols() / 2);
   if (!(std::abs(variance - stated) <= 1e-6 * stated))
@@ -96,10 +96,14 @@ KernelTables kernel_of(const Dataset& data) {
   out.has_height = has_height(data.at("acf_target"));
   out.translated = data.attributes.find("kernel_heights") != nullptr;
   const char* const variance = out.has_height ? "m2" : "1";
-  out.kernel = table_of(data, "kernel", out.has_height && !out.translated ? "m" : "1");
+  if (data.has("kernel")) {
+    out.kernel = table_of(data, "kernel", out.has_height && !out.translated ? "m" : "1");
+    if (out.kernel.size() == 0) throw DataError("kernel", "it has no coefficients");
+  }
   out.acf_target = table_of(data, "acf_target", variance, Missing::not_a_number);
   out.acf_achieved = table_of(data, "acf_achieved", variance);
   out.period = kernel_period(data);
+  out.corner = kernel_corner(data);
   check(out);
   out.spacing = lag_spacing(data);
   return out;
@@ -122,20 +126,29 @@ void set_correlation(Dataset& data, const KernelTables& tables) {
             Missing::not_a_number);
   set_table(data, "acf_achieved", tables.acf_achieved, p, q, {variance, "autocorrelation of the kernel"});
   data.attributes.set("kernel_rms", tables.rms());
-  if (tables.period)
-    data.attributes.set_values("kernel_period", pair_of(*tables.period));
-  else
-    data.attributes.erase("kernel_period");
+  for (const auto& [name, shape] :
+       {std::pair("kernel_period", tables.period), std::pair("kernel_corner", tables.corner)})
+    if (shape)
+      data.attributes.set_values(name, pair_of(*shape));
+    else
+      data.attributes.erase(name);
 }
 
-std::optional<Shape> kernel_period(const Dataset& data) {
-  const Values* const found = data.attributes.find("kernel_period");
+namespace {
+
+std::optional<Shape> counts_in(const Dataset& data, const char* name) {
+  const Values* const found = data.attributes.find(name);
   if (found == nullptr) return std::nullopt;
   const std::vector<double> sides = numbers(*found);
   if (sides.size() != 2 || !(sides[0] >= 1 && sides[1] >= 1 && sides[0] <= 1e9 && sides[1] <= 1e9))
-    throw DataError("kernel_period", "is not a pair of counts");
+    throw DataError(name, "is not a pair of counts");
   return Shape{static_cast<Index>(sides[0]), static_cast<Index>(sides[1])};
 }
+
+}  // namespace
+
+std::optional<Shape> kernel_period(const Dataset& data) { return counts_in(data, "kernel_period"); }
+std::optional<Shape> kernel_corner(const Dataset& data) { return counts_in(data, "kernel_corner"); }
 
 Values pair_of(Shape s) {
   return std::vector<std::int32_t>{static_cast<std::int32_t>(s.nx), static_cast<std::int32_t>(s.ny)};

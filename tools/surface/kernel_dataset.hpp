@@ -36,6 +36,7 @@ struct KernelTables {
   Spacing spacing;                   ///< of the lags
   bool translated = false;           ///< the kernel's variance is 1 whatever the heights'
   std::optional<Shape> period = {};  ///< of the surfaces that it is for, all others apart
+  std::optional<Shape> corner = {};  ///< or the largest surface that is a corner of one of that period
 
   double rms() const { return std::sqrt(acf_target(0, acf_target.cols() / 2)); }
   void scale(double factor);
@@ -44,14 +45,16 @@ struct KernelTables {
 /// Whether a table is in m2, or another square of a length, and not a pure number. Throws DataError for any
 /// other unit.
 bool has_height(const Variable& acf);
-/// Throws DataError when a table is missing or makes no sense.
+/// Throws DataError when a table is missing or makes no sense. Without coefficients where the dataset has
+/// none.
 KernelTables kernel_of(const Dataset& data);
 void set_kernel(Dataset& data, const KernelTables& tables);
 /// All but the coefficients.
 void set_correlation(Dataset& data, const KernelTables& tables);
 
-/// The attribute kernel_period.
+/// The attributes kernel_period and kernel_corner.
 std::optional<Shape> kernel_period(const Dataset& data);
+std::optional<Shape> kernel_corner(const Dataset& data);
 /// A pair of counts as an attribute has it.
 Values pair_of(Shape s);
 

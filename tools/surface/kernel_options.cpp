@@ -7,6 +7,7 @@
 #include "acf/table.hpp"
 #include "core/words.hpp"
 #include "tools/surface/periodic_kernel.hpp"
+#include "transform/plan.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -258,7 +259,7 @@ void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& optio
   out.extent = options.length_option(tool);
   out.request.target = out.model->target();
   out.band = limited(tool, options, *out.model, periodic);
-  if (out.band) out.period = periodic;
+  if (out.band) out.period = out.torus = periodic;
 }
 
 // ---- a table ----
@@ -276,7 +277,10 @@ void take_table(KernelProblem& out, const Tool& tool, AcfTable table, Shape peri
     out.request.rms = table.rms;
     out.has_height = true;
   }
-  if (out.free()) out.period = table.period_on(periodic);
+  if (out.free()) {
+    out.period = table.period_on(periodic);
+    out.positive_definite = table.positive_definite;
+  }
   out.request.target = target_of_table(std::move(table.half_plane));
   out.measured = std::move(table.heights);
   out.data = std::move(table.dataset);
@@ -288,13 +292,17 @@ void take_table(KernelProblem& out, const Tool& tool, AcfTable table, Shape peri
 // Zero at all lags but 0 along an axis with one point.
 Target target_on(const Target& target, Shape surface) {
   const bool x = surface.nx == 1, y = surface.ny == 1;
+  if (target.table) {
+    const Field& table = *target.table;
+    const Index columns = y ? 1 : table.cols();
+    return target_of_table(table.block(0, (table.cols() - columns) / 2, x ? 1 : table.rows(), columns));
+  }
   auto narrow = [x, y](Shape lags) { return Shape{x ? 1 : lags.nx, y ? 1 : lags.ny}; };
   Target out([=, row = target.row](double p, double q) {
     double r = 0;
     if ((!x || p == 0) && (!y || q == 0)) row(p, q, {&r, 1});
     return r;
   });
-  if (target.known) out.known = narrow(*target.known);
   if (target.reach) out.reach = [=, reach = target.reach](double t) { return narrow(reach(t)); };
   return out;
 }
@@ -307,7 +315,28 @@ void KernelProblem::wrap(const Tool& tool, Shape surface) {
   if (!profile || band || period || !free() || !request.target.reach) return;
   request.target =
       target_of_table(periodic_correlation(tool, request.target, surface, left_out * request.acf_tolerance));
-  period = surface;
+  period = torus = surface;
+}
+
+void KernelProblem::lay_out(const Tool& tool, Shape surface, bool periodic) {
+  if (periodic && period != surface) period.reset();
+  narrow(surface);
+  torus = period;
+  if (!positive_definite || torus || surface == Shape{}) return;
+  if (periodic) {
+    request.target = target_of_table(periodic_correlation(tool, *request.target.table, surface));
+    period = torus = surface;
+    return;
+  }
+  const Shape lags = *request.target.known;
+  torus = Shape{fast_length(surface.nx + lags.nx - 1), fast_length(surface.ny + lags.ny - 1)};
+  corner = surface;
+}
+
+Shape KernelProblem::lags_kept() const {
+  const Shape all = *request.target.known;
+  if (!corner || keeps_kernel) return all;
+  return {std::min(all.nx, corner->nx / 2 + 1), std::min(all.ny, corner->ny / 2 + 1)};
 }
 
 void KernelProblem::narrow(Shape surface) {
@@ -340,6 +369,7 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, std
   request.method = options.filters() ? Method::newton_krylov : enum_named<Method>(options.method, "method");
   request.infeasible = enum_named<InfeasiblePolicy>(options.infeasible, "infeasible");
   request.memory = static_cast<double>(tool.memory());
+  out.threads = tool.thread_count();
   if (!options.formulation.empty())
     request.formulation = enum_named<Formulation>(options.formulation, "formulation");
   if (table)

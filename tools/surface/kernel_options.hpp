@@ -45,8 +45,9 @@ struct KernelOptions {
 // ---- the problem ----
 
 struct KernelProblem {
-  /// Of a surface with one point along an axis, a problem along the other.
-  void narrow(Shape surface);
+  /// For surfaces of this shape, 0x0 where none is known. Of those with one point along an axis, a problem
+  /// along the other; without equations, one on a torus.
+  void lay_out(const Tool& tool, Shape surface, bool periodic);
   /// Of a periodic profile nothing is left to solve: the target becomes its sum over the periods.
   void wrap(const Tool& tool, Shape surface);
   /// Whether lags, formulation and method are left open.
@@ -60,11 +61,23 @@ struct KernelProblem {
   bool has_height = false;           ///< request.rms is a height [m]
   std::optional<Marginal> marginal;  ///< of the heights, where they are not Gaussian
   HeightsWithAcf measured;           ///< what came with a table
-  std::optional<Shape> period;  ///< of the surfaces that the kernel is for, where the table is that of one
+  std::optional<Shape> period;     ///< of the surfaces that the kernel is for, where the table is that of one
+  bool positive_definite = false;  ///< the table, which is 0 beyond its lags
+  /// Where the kernel is the root of a spectrum: the period of the surfaces, or a torus of which a surface is
+  /// a corner; nothing where there are equations to solve.
+  std::optional<Shape> torus = {};
+  std::optional<Shape> corner = {};  ///< the largest one
+  bool keeps_kernel = true;          ///< with all of its lags; surfaces are drawn from the root alone
+  int threads = 1;
+  /// Of the tables on a torus: all, or, of a corner without its kernel, up to half its sides.
+  Shape lags_kept() const;
   std::optional<EllipticTarget> model;  ///< of a target that is no table
   std::optional<BandLimited> band;      ///< the target of that period, of --cutoff
   Dataset data;                         ///< what the kernel is added to, with the grid of a table
   Inventory before;                     ///< of the table's dataset
+
+ private:
+  void narrow(Shape surface);
 };
 
 /// The table of --acf, if it is given; throws UsageError for options that it has no use for, DataError where

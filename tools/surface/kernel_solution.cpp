@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "acf/periodic.hpp"
 #include "core/words.hpp"
 #include "marginal/predistortion.hpp"
 #include "tools/cli/progress.hpp"
@@ -17,44 +18,58 @@ constexpr double rounding = 1e-12;  // of a correlation
 
 // ---- the solution ----
 
-// On the period of its table, where there are no equations to solve.
-Kernel periodic(KernelProblem& problem) {
+// The target's lags up to half the torus: of a small corner others come around it, where it has no lags.
+std::shared_ptr<const Field> lags_on_torus(const KernelProblem& problem) {
+  const std::shared_ptr<const Field>& table = problem.request.target.table;
+  const auto [nx, ny] = *problem.torus;
+  const bool fits = table->rows() - 1 <= nx / 2 && table->cols() / 2 <= ny / 2;
+  return fits ? table : std::make_shared<const Field>(periodic_sum(*table, *problem.torus));
+}
+
+// On a torus, where there are no equations to solve.
+SolvedKernel without_equations(KernelProblem& problem) {
   KernelRequest& request = problem.request;
   request.method = Method::spectral;
-  Kernel out;
+  SolvedKernel out;
   out.formulation = request.target.oriented ? Formulation::oriented : Formulation::symmetric;
   out.lags = *request.target.known;
-  const Field target = Field::NullaryExpr(out.lags.nx, 2 * out.lags.ny - 1, [&](Index p, Index column) {
-    return request.target(static_cast<double>(p), static_cast<double>(column - out.lags.ny + 1));
-  });
-  KernelTables tables = on_period(target, *problem.period, request.rms, problem.marginal, request.memory);
+  OnTorus found = on_torus(*lags_on_torus(problem), *problem.torus,
+                           {.rms = request.rms,
+                            .marginal = problem.marginal,
+                            .lags = problem.lags_kept(),
+                            .keeps_kernel = problem.keeps_kernel,
+                            .memory = request.memory,
+                            .threads = problem.threads});
   KernelReport& report = out.report;
-  report.residual = report.change = report.error = largest_error(tables);
+  report.residual = report.change = report.error = found.error;
   report.answer = report.error <= request.tolerance ? Answer::exact : Answer::nearest;
-  report.reason = "the root of the spectrum on the period";
+  report.reason = problem.corner ? "the root of the spectrum on a torus around the surface"
+                                 : "the root of the spectrum on the period";
   report.converged = report.error <= request.acf_tolerance;
   if (!report.converged && !allows(request.infeasible, report.error))
     throw DataError(problem.extent,
                     "no surface of this period and distribution has this autocorrelation; the closest one "
                     "found changes it by " +
                         number(report.error) + " (see --infeasible)");
-  out.values = std::move(tables.kernel);
-  out.acf_target = std::move(tables.acf_target);
-  out.acf_achieved = std::move(tables.acf_achieved);
+  out.values = std::move(found.tables.kernel);
+  out.acf_target = std::move(found.tables.acf_target);
+  out.acf_achieved = std::move(found.tables.acf_achieved);
+  out.root = std::move(found.root);
   return out;
 }
 
 // Of a prescribed spectrum, where there are none either.
-Kernel band_limited(const KernelProblem& problem) {
-  Kernel out;
+SolvedKernel band_limited(const KernelProblem& problem) {
+  SolvedKernel out;
   const double rms = problem.request.rms;
   out.lags = {problem.period->nx / 2 + 1, problem.period->ny / 2 + 1};
-  out.values = problem.band->kernel() * rms;
+  out.root = problem.band->root();
+  if (problem.keeps_kernel) out.values = kernel_of(*out.root, problem.threads) * rms;
   const Field correlation = problem.band->correlation();
   const bool mirrored = (correlation - correlation.rowwise().reverse()).abs().maxCoeff() <= rounding;
   out.formulation = mirrored ? Formulation::symmetric : Formulation::oriented;
   out.acf_target = correlation * (rms * rms);
-  out.acf_achieved = periodic_autocorrelation(out.values);
+  out.acf_achieved = correlation_of(*out.root, problem.threads) * (rms * rms);
   out.report.residual = out.report.change = out.report.error =
       (out.acf_achieved - out.acf_target).abs().maxCoeff() / (rms * rms);
   out.report.reason = "the root of the spectrum, which is prescribed";
@@ -63,16 +78,16 @@ Kernel band_limited(const KernelProblem& problem) {
 }
 
 // Solved for the field below the heights.
-SolvedKernel predistorted(KernelProblem& problem) {
-  const Predistortion predistortion(problem.marginal->translation);
-  return {problem.period ? periodic(problem) : predistortion.solve(problem.request),
-          predistortion.map().lowest(), predistortion.map().tail()};
-}
-
 SolvedKernel answer(KernelProblem& problem) {
-  if (problem.band) return {band_limited(problem)};
-  if (problem.marginal) return predistorted(problem);
-  return {problem.period ? periodic(problem) : solve_kernel(problem.request)};
+  if (problem.band) return band_limited(problem);
+  if (!problem.marginal)
+    return problem.torus ? without_equations(problem) : SolvedKernel{solve_kernel(problem.request)};
+  const Predistortion predistortion(problem.marginal->translation);
+  SolvedKernel out =
+      problem.torus ? without_equations(problem) : SolvedKernel{predistortion.solve(problem.request)};
+  out.least_acf = predistortion.map().lowest();
+  out.hermite_tail = predistortion.map().tail();
+  return out;
 }
 
 // ---- its record ----
@@ -101,6 +116,8 @@ void record_heights(Dataset& data, const Marginal& marginal, const SolvedKernel&
 // it.
 std::string achieved(const KernelProblem& problem, const Kernel& kernel) {
   const std::string error = number(kernel.report.error);
+  if (problem.corner)
+    return "a kernel of surfaces up to " + text(*problem.corner) + " points: error over all lags " + error;
   if (problem.period)
     return "a kernel of periodic surfaces of " + text(*problem.period) +
            " points (asperity-generate --periodic): error over all lags " + error;
@@ -128,7 +145,7 @@ std::string changed(const KernelProblem& problem, const Kernel& kernel) {
   if (answer == Answer::exact || answer == Answer::wider || change <= problem.request.tolerance) return "";
   const std::string by = " by up to " + number(change) + " of the variance";
   if (answer == Answer::spectral) return "the root of the spectrum changes the autocorrelation" + by;
-  if (problem.period) return "the kernel of the period changes the autocorrelation" + by;
+  if (problem.torus) return "the kernel of the period changes the autocorrelation" + by;
   return "no kernel of " + text(kernel.lags) +
          " lags has this autocorrelation; the kernel of the nearest feasible one changes it" + by;
 }
@@ -183,15 +200,18 @@ SolvedKernel solve(const Tool& tool, KernelProblem& problem, bool aside) {
   return out;
 }
 
-KernelSolution record(const Tool& tool, KernelProblem problem, const SolvedKernel& kernel, bool aside) {
+KernelSolution record(const Tool& tool, KernelProblem problem, SolvedKernel kernel, bool aside) {
   record_target(problem.data.attributes, problem);
   if (problem.marginal) record_heights(problem.data, *problem.marginal, kernel);
-  set_kernel(problem.data, {kernel.values, kernel.acf_target, kernel.acf_achieved, problem.has_height,
-                            problem.spacing, problem.marginal.has_value(), problem.period});
+  const KernelTables tables{kernel.values,      kernel.acf_target, kernel.acf_achieved,
+                            problem.has_height, problem.spacing,   problem.marginal.has_value(),
+                            problem.torus,      problem.corner};
+  tables.kernel.size() > 0 ? set_kernel(problem.data, tables) : set_correlation(problem.data, tables);
   record_kernel(problem.data.attributes, problem.request, kernel);
   const Exit code = report_on(tool, problem, kernel, aside);
   std::string change = code == done ? changed(problem, kernel) : "";
-  return {std::move(problem.data), std::move(problem.before), code, std::move(change)};
+  return {std::move(problem.data), std::move(problem.before), code, std::move(change),
+          std::move(kernel.root)};
 }
 
 void report_read(const Tool& tool, const Dataset& data) {

@@ -20,12 +20,6 @@ constexpr double least_variance = 0.01;  // of the one requested
 constexpr double largest_offset = 0.5;   // share of the variance
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// The torus of the kernel along an axis: the period where the lags go around it, else wide enough for what is
-// next to them.
-Index side(Index lags, Index period) {
-  return 2 * lags - 1 >= period ? period : std::min(period, fast_length(2 * lags));
-}
-
 // More lags of a half plane, which hold `fill`.
 Field extended(const Field& half_plane, Shape lags, double fill) {
   Field out = Field::Constant(lags.nx, lags.ny, fill);
@@ -87,6 +81,15 @@ void warn_of_change(const Tool& tool, double change, Shape surface) {
             " of the variance: it is the sum over the periods, at the prescribed rms height");
 }
 
+// A sum over the periods over its value at 0; `alone`: without the other periods.
+Field checked_sum(const Tool& tool, Field sum, const Field& alone, Shape surface) {
+  refuse_rest(variance(sum), surface);
+  sum /= variance(sum);
+  refuse_offset(sum, surface);
+  warn_of_change(tool, (sum - alone).abs().maxCoeff(), surface);
+  return sum;
+}
+
 // What the solution on the plane has left on record, of the kernel that has taken its place.
 void record(Attributes& a, double error) {
   a.set("kernel_method", name_of(Method::spectral));
@@ -109,29 +112,50 @@ void cut(KernelTables& tables, Attributes& a, Shape surface) {
 
 }  // namespace
 
-KernelTables on_period(const Field& correlation, Shape period, double rms,
-                       const std::optional<Marginal>& marginal, double memory) {
-  const Shape torus{side(correlation.rows(), period.nx), side(correlation.cols() / 2 + 1, period.ny)};
-  check_memory(periodic_kernel_cost(torus), memory, torus);
-  const std::optional<CorrelationMap> map =
-      marginal ? std::optional<CorrelationMap>(marginal->translation) : std::nullopt;
-  const Field kernel = periodic_kernel(
-      map ? correlation.unaryExpr([&](double r) { return map->inverse(r); }).eval() : correlation, torus);
-  Field drawn = periodic_sum(autocorrelation(kernel, kernel.rows(), 2 * kernel.cols() - 1), period);
-  if (map) drawn = drawn.unaryExpr([&](double rho) { return (*map)(std::clamp(rho, -1.0, 1.0)); }).eval();
-  KernelTables out;
-  out.kernel = kernel * (marginal ? 1 : rms);
-  out.acf_target = extended(correlation, shape_of(drawn), unknown) * (rms * rms);
-  out.acf_achieved = drawn * (rms * rms);
-  out.translated = marginal.has_value();
-  out.period = period;
-  return out;
-}
-
 double largest_error(const KernelTables& tables) {
   const auto known = !tables.acf_target.isNaN();
   return known.select((tables.acf_achieved - tables.acf_target).abs(), 0).maxCoeff() /
          variance(tables.acf_target);
+}
+
+OnTorus on_torus(const Field& correlation, Shape torus, const TorusOptions& o) {
+  check_memory(o.keeps_kernel ? periodic_kernel_cost(torus) : root_cost(torus), o.memory, torus);
+  const std::optional<CorrelationMap> map =
+      o.marginal ? std::optional<CorrelationMap>(o.marginal->translation) : std::nullopt;
+  OnTorus out;
+  out.root =
+      map ? spectral_root(correlation.unaryExpr([&](double r) { return map->inverse(r); }), torus, o.threads)
+          : spectral_root(correlation, torus, o.threads);
+  const Shape kept{std::min(o.lags.nx, torus.nx / 2 + 1), std::min(o.lags.ny, torus.ny / 2 + 1)};
+  const Index middle = torus.ny / 2, columns = 2 * kept.ny - 1, most_q = correlation.cols() / 2;
+  Field achieved(kept.nx, columns);
+  Eigen::ArrayXd errors = Eigen::ArrayXd::Zero(std::max(kept.nx, correlation.rows()));
+  correlation_of(
+      out.root, errors.size(),
+      [&](Index first, const Eigen::Ref<const Field>& rows) {
+        Field heights = rows;
+        if (map) heights = rows.unaryExpr([&](double rho) { return (*map)(std::clamp(rho, -1.0, 1.0)); });
+        for (Index i = 0; i < rows.rows(); ++i) {
+          const Index p = first + i;
+          if (p < kept.nx) achieved.row(p) = heights.row(i).segment(middle - kept.ny + 1, columns);
+          if (p < correlation.rows())
+            errors(p) = (heights.row(i).segment(middle - most_q, correlation.cols()) - correlation.row(p))
+                            .abs()
+                            .maxCoeff();
+        }
+      },
+      o.threads);
+  out.error = errors.maxCoeff();
+  KernelTables& tables = out.tables;
+  tables.translated = o.marginal.has_value();
+  if (o.keeps_kernel) tables.kernel = kernel_of(out.root, o.threads) * (tables.translated ? 1 : o.rms);
+  const Shape known{std::min(kept.nx, correlation.rows()), std::min(kept.ny, most_q + 1)};
+  tables.acf_target =
+      extended(within(correlation, {known.nx, 2 * known.ny - 1}), shape_of(achieved), unknown);
+  tables.acf_target *= o.rms * o.rms;
+  tables.acf_achieved = std::move(achieved) * (o.rms * o.rms);
+  tables.period = torus;
+  return out;
 }
 
 Field periodic_correlation(const Tool& tool, const Target& target, Shape surface, double left) {
@@ -151,13 +175,13 @@ Field periodic_correlation(const Tool& tool, const Target& target, Shape surface
     return Field::NullaryExpr(surface.nx / 2 + 1, 2 * middle + 1,
                               [&](Index p, Index column) { return value(p, column - middle); });
   };
-  Field out = half_plane(sum);
-  refuse_rest(variance(out), surface);
-  out /= variance(out);
-  refuse_offset(out, surface);
-  const Field alone = half_plane([&](Index p, Index q) { return target(double(p), double(q)); });
-  warn_of_change(tool, (out - alone).abs().maxCoeff(), surface);
-  return out;
+  return checked_sum(tool, half_plane(sum),
+                     half_plane([&](Index p, Index q) { return target(double(p), double(q)); }), surface);
+}
+
+Field periodic_correlation(const Tool& tool, const Field& half_plane, Shape surface) {
+  const Field sum = periodic_sum(half_plane, surface);
+  return checked_sum(tool, sum, within(half_plane, shape_of(sum)), surface);
 }
 
 void wrap_kernel(const Tool& tool, KernelSolution& solution, KernelTables& tables, Shape surface) {
@@ -171,13 +195,18 @@ void wrap_kernel(const Tool& tool, KernelSolution& solution, KernelTables& table
   refuse_offset(correlation, surface);
   const Field target =
       within(tables.acf_target, shape_of(asked)).isNaN().select(unknown, asked / variance(asked));
-  KernelTables wrapped = on_period(correlation, surface, tables.rms(), marginal_of(solution.data),
-                                   static_cast<double>(tool.memory()));
+  OnTorus found = on_torus(correlation, surface,
+                           {.rms = tables.rms(),
+                            .marginal = marginal_of(solution.data),
+                            .memory = static_cast<double>(tool.memory()),
+                            .threads = tool.thread_count()});
+  KernelTables& wrapped = found.tables;
   wrapped.acf_target =
       extended(target, shape_of(wrapped.acf_achieved), unknown) * (tables.rms() * tables.rms());
   wrapped.has_height = tables.has_height;
   wrapped.spacing = tables.spacing;
   tables = std::move(wrapped);
+  solution.root = std::move(found.root);
   const double error = largest_error(tables), tolerance = recorded_tolerance(a);
   const bool met = !(recorded_report(a).error > tolerance);
   record(a, error);
@@ -195,6 +224,11 @@ void wrap_kernel(const Tool& tool, KernelSolution& solution, KernelTables& table
 
 void check_period(const KernelTables& tables, Shape surface, bool periodic) {
   if (!tables.period || (periodic && *tables.period == surface)) return;
+  if (!periodic && tables.corner) {
+    if (surface.nx <= tables.corner->nx && surface.ny <= tables.corner->ny) return;
+    throw UsageError("shape", text(surface) + ": the kernel is for surfaces up to " + text(*tables.corner) +
+                                  " points; solve for it with this --shape");
+  }
   const std::string words = "the kernel is for periodic surfaces of " + text(*tables.period) + " points";
   if (periodic) throw UsageError("shape", text(surface) + ": " + words);
   throw UsageError("periodic", "is required: " + words +

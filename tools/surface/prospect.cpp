@@ -134,7 +134,7 @@ void foresee(const Tool& tool, const KernelProblem& problem, Shape surface, bool
   const Target& target = problem.request.target;
   foresee_extent(tool, target, surface, problem.extent);
   warn_if_short(tool, problem, surface);
-  warn_of_cost(tool, problem.request, kept);
+  if (!problem.torus) warn_of_cost(tool, problem.request, kept);
   report_bounds(tool, problem);
 }
 
