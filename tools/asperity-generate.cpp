@@ -6,8 +6,8 @@
 #include "tools/cli/file_identity.hpp"
 #include "tools/cli/ordered_work.hpp"
 #include "tools/cli/progress.hpp"
+#include "tools/measure/twin_options.hpp"
 #include "tools/surface/drawing.hpp"
-#include "tools/surface/generate_options.hpp"
 
 using namespace asperity;
 
@@ -73,11 +73,13 @@ int main(int argc, char** argv) {
                  "white noise convolved "
                  "with the kernel that solves the autocorrelation equations.");
   cli::GenerateOptions options;
+  cli::TwinOptions twins;
   options.declare(tool);
+  twins.declare(tool);
 
   return tool.run(argc, argv, [&] {
     options.check_outputs(tool);
-    cli::SurfaceKernel kernel = cli::surface_kernel(tool, options);
+    cli::SurfaceKernel kernel = cli::surface_kernel(tool, options, twins.table(tool, options));
     const cli::HeightDistribution heights = cli::height_distribution(tool, options, kernel);
     kernel.before.tell(
         tool, kernel.data, "surface",

@@ -113,6 +113,8 @@ inline constexpr KnownAttribute attributes[] = {
     {"filter_filled_share", parameter, "1", "share of the points that were filled"},
     {"acf_variable", other, "", "measured field"},
     {"acf_surfaces", other, "1", "surfaces in the mean"},
+    {"acf_taper", other, "", "window of the tapered field"},
+    {"acf_marginal", other, "", "distribution of heights that twins are drawn with"},
     {"acf_variance", other, "m2", "variance"},
     {"acf_skewness", other, "1", "skewness", true},
     {"acf_kurtosis", other, "1", "kurtosis", true},

@@ -1,8 +1,11 @@
 #include "tools/measure/acf_result.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include "dataset/layout.hpp"
+#include "stats/spatial/tapered_acf.hpp"
+#include "stats/uncertainty/translation_error.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/marginal.hpp"
@@ -54,6 +57,9 @@ class Writer {
     // In m2: of heights only.
     if (content_.units == "m") data_.attributes.set("acf_variance", variance);
   }
+  void taper() {
+    if (*content_.taper != 0) data_.attributes.set("acf_taper", content_.taper);
+  }
   void lengths(const auto& parameters, auto value) {
     for (const auto& length : parameters) data_.attributes.set("acf_" + length.name, value(length));
   }
@@ -73,6 +79,26 @@ class Writer {
 }  // namespace
 
 std::string AcfContent::squared() const { return unit_to(units, 2); }
+
+const char* taper_of(const Grid& grid) { return grid.periodic.both() ? "none" : "hann"; }
+
+AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads) {
+  const ErrorBasis basis = error_basis(surface, threads);
+  AcfResult out{
+      AcfEstimate(tapered_autocorrelation(surface.heights, surface.grid, max_lag, threads), basis, true)};
+  out.moments = moments(surface.heights, surface.variable);
+  out.quantiles = quantiles_of(surface.heights);
+  const EffectiveSampleSize size = basis.size();
+  const bool other = evident_translation(out.moments, standard_errors(out.moments, size)).has_value();
+  out.marginal = other ? "measured" : "gaussian";
+  return out;
+}
+
+MeasuredHeights quantiles_of(const Field& heights) {
+  std::vector<double> sample(heights.data(), heights.data() + heights.size());
+  std::erase_if(sample, [](double z) { return std::isnan(z); });
+  return MeasuredHeights::of(std::move(sample));
+}
 
 Table acf_profiles(const AcfResult& result, const AcfContent& content) {
   const std::string unit = content.unit();
@@ -102,6 +128,8 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
     writer.error(result.errors->half_plane(), "standard error of acf, from the field's own long waves");
   if (result.structure) writer.structure(result.structure->half_plane());
   if (result.quantiles) set_quantiles(data, "acf_quantiles", *result.quantiles);
+  if (*result.marginal != 0) data.attributes.set("acf_marginal", result.marginal);
+  writer.taper();
   writer.scalars(estimate.variance, result.moments.ssk, result.moments.sku);
   check_finite(lengths);
   writer.lengths(lengths, [](const Parameter& length) { return length.value; });
@@ -130,6 +158,7 @@ Dataset AcfEnsemble::dataset() const {
   writer.acf(acf, "mean autocorrelation of the surfaces");
   writer.error(acf_.standard_error());
   if (structured_) writer.structure(structure_.mean());
+  writer.taper();
   const Eigen::ArrayXd scalars = scalars_.mean();
   writer.scalars(scalars(0), scalars(1), scalars(2));
   writer.lengths(lengths_.all(), [](const EnsembleParameter& length) { return length.mean; });

@@ -22,6 +22,7 @@ struct AcfResult {
   std::optional<LagField> structure = {};  ///< in units squared
   std::optional<MeasuredHeights> quantiles = {};
   std::optional<LagField> errors = {};  ///< of the ACF
+  const char* marginal = "";            ///< "gaussian", or "measured" of heights that evidently are not
   /// Errors, of what prints them.
   std::optional<std::array<ProfileErrors, 2>> profiles = {};
   std::optional<LengthErrors> lengths = {};
@@ -31,9 +32,18 @@ struct AcfResult {
 struct AcfContent {
   std::string variable, units;  ///< the field, and its unit
   bool absolute = false;        ///< R instead of R / R(0,0)
+  const char* taper = "";       ///< the window of a tapered field
   std::string squared() const;
   std::string unit() const { return absolute ? squared() : "1"; }
 };
+
+/// What twins of a surface are drawn with (stats/spatial/tapered_acf.hpp): the ACF of the tapered field, and
+/// the heights.
+AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads);
+/// "hann", or "none" of a periodic surface.
+const char* taper_of(const Grid& grid);
+
+MeasuredHeights quantiles_of(const Field& heights);
 
 /// R(p,0) and R(0,q), a row for each lag.
 Table acf_profiles(const AcfResult& result, const AcfContent& content);

@@ -51,20 +51,24 @@ void FieldOptions::declare(Tool& tool) {
 }
 
 void FieldOptions::declare_field(Tool& tool) {
-  tool.text("--variable", variable, "NAME",
-            "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out", "Field");
-  tool.parsed("--remove-form", form_kind, "Form to subtract first: " + form_words, "Field", "mean",
-              into(asked.form, parse_form));
-  tool.parsed("--lambda-s", cutoff_kind,
-              "Cut-off of the S-filter, which removes shorter waves; below --lambda-c. " + filter_words,
-              "Field", "", into(asked.shorter, parse_cutoff));
-  tool.parsed("--lambda-c", cutoff_kind,
-              "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field. "
-              "FILTER as of --lambda-s",
-              "Field", "", into(asked.longer, parse_cutoff));
+  declare_preparation(tool, "Field");
   tool.memory(
       "Memory limit for measuring, five times the field, and for reading, the bytes of an input plus three "
       "times its map");
+}
+
+void FieldOptions::declare_preparation(Tool& tool, const std::string& group) {
+  tool.text("--variable", variable, "NAME",
+            "Field on (x, y) to measure. Missing points (mask, _FillValue, NaN) are left out", group);
+  tool.parsed("--remove-form", form_kind, "Form to subtract first: " + form_words, group, "mean",
+              into(asked.form, parse_form));
+  tool.parsed("--lambda-s", cutoff_kind,
+              "Cut-off of the S-filter, which removes shorter waves; below --lambda-c. " + filter_words,
+              group, "", into(asked.shorter, parse_cutoff));
+  tool.parsed("--lambda-c", cutoff_kind,
+              "Cut-off of the L-filter, which removes longer waves; at most the longer side of the field. "
+              "FILTER as of --lambda-s",
+              group, "", into(asked.longer, parse_cutoff));
 }
 
 Surface FieldOptions::without_heights(const Dataset& data) const {

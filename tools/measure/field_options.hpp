@@ -24,6 +24,8 @@ struct FieldOptions {
   void declare(Tool& tool);
   /// Without --correlation, for a tool whose errors do not need one.
   void declare_field(Tool& tool);
+  /// The field and its preparation alone.
+  void declare_preparation(Tool& tool, const std::string& group);
 
   /// Throws UsageError for cut-offs that no wave of the field passes; warns where a side is shorter than one.
   /// And for a field whose measurement may take more than --memory.

@@ -33,6 +33,8 @@ struct AcfTable {
   std::optional<Shape> period_on(Shape periodic) const;
 };
 
+/// The table in a dataset. Throws DataError("acf", …).
+AcfTable acf_table_of(Dataset data);
 /// "-" is standard input. Throws DataError("acf", …).
 AcfTable read_acf_table(const std::string& name, const MemoryBound& memory);
 

@@ -39,9 +39,9 @@ class Writer {
   }
 
   void write() {
-    const bool survey_first = kept_.size() > 0 || drawing_.exact_rq || !out_.rewritable();
-    passes_ = static_cast<double>(layers_.size() * (survey_first && kept_.size() == 0 ? 2 : 1));
-    if (survey_first) survey();
+    const bool surveyed = survey_first();
+    passes_ = static_cast<double>(layers_.size() * (surveyed && kept_.size() == 0 ? 2 : 1));
+    if (surveyed) survey();
     if (drawing_.exact_rq) rescale();
     record();
     tool_.sign(data_);
@@ -49,12 +49,12 @@ class Writer {
     Proportions proportions(grid_of(data_));
     for (Layer& layer : layers_)
       layer.rows([&](Index, Eigen::Ref<Field> rows) {
-        if (!survey_first) layer.moments.add(rows);
+        if (!surveyed) layer.moments.add(rows);
         if (drawing_.first && &layer == &layers_.front()) proportions.add(rows);
         out_.values(rows);
         advance(rows);
       });
-    if (!survey_first) {
+    if (!surveyed) {
       record();
       out_.head(data_, layers_.size());
     }
@@ -64,12 +64,15 @@ class Writer {
   }
 
  private:
-  // From memory if it fits, else drawn at each pass.
+  // Moments that stand in front of the heights, or change them.
+  bool survey_first() const { return drawing_.exact_rq || !out_.rewritable(); }
+
+  // From memory if it fits and is needed twice, else drawn at each pass.
   std::function<void(const RowSink&)> heights() {
     const Shape shape = drawing_.synthesis.shape();
     const std::size_t working = drawing_.synthesis.working_set(),
                       whole = size(shape.cells()) * sizeof(double);
-    if (working > drawing_.memory || whole > drawing_.memory - working)
+    if (!survey_first() || working > drawing_.memory || whole > drawing_.memory - working)
       return [&](const RowSink& sink) { drawing_.synthesis.surface(drawing_.noise, sink); };
     kept_ = drawing_.synthesis.surface(drawing_.noise);
     return [&](const RowSink& sink) { sink(0, kept_); };

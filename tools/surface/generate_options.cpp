@@ -63,8 +63,8 @@ void GenerateOptions::declare_drawing(Tool& tool) {
       "Memory limit for the kernel and the drawing, besides 20 MB of the program. A larger surface is drawn "
       "and written in strips; into a pipe, or with --exact-rq, it is then drawn twice, because its range "
       "precedes it. The limit does not change the surface, to the last bit");
-  tool.essential({"--shape", "--size", "--rq", "--length", "--model", "--acf", "--periodic", "--cutoff",
-                  "--skewness", "--kurtosis", "--count", "--seed", "--output"});
+  tool.essential({"--shape", "--size", "--rq", "--length", "--model", "--like", "--acf", "--periodic",
+                  "--cutoff", "--skewness", "--kurtosis", "--count", "--seed", "--output"});
   tool.example(
       "asperity-generate --shape 512x512 --size 3mm --rq 0.4um --length 17px,4px --seed 7 | asperity-stats");
 }
@@ -134,16 +134,17 @@ void require_model(const Tool& tool) {
   if (!tool.given("--size")) throw UsageError("size", "is required");
 }
 
-SurfaceKernel solved(const Tool& tool, GenerateOptions& o) {
-  if (!tool.given("--acf")) require_model(tool);
+SurfaceKernel solved(const Tool& tool, GenerateOptions& o, std::optional<AcfTable> table) {
+  if (!table && !tool.given("--acf")) require_model(tool);
+  if (!table) table = wanted_table(tool, o.acf);
   const bool sized = tool.given("--shape") && tool.given("--size");
   KernelProblem problem =
-      kernel_problem(tool, o.acf, wanted_table(tool, o.acf),
-                     sized ? spacing_of(o.shape, o.size) : std::nullopt, o.periodic ? o.shape : Shape{});
+      kernel_problem(tool, o.acf, std::move(table), sized ? spacing_of(o.shape, o.size) : std::nullopt,
+                     o.periodic ? o.shape : Shape{});
   if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
   adopt_grid(tool, o, problem.data);
   if (!o.periodic) problem.period.reset();
-  problem.keeps_kernel = o.adds("kernel");
+  problem.keeps_kernel = o.adds("kernel") || o.acf.filters();
   problem.lay_out(tool, o.shape, o.periodic);
   foresee(tool, problem, o.shape, o.adds("kernel"));
   if (!problem.torus && !problem.request.target.known) refuse_drawing(tool, o, first_lags(problem.request));
@@ -184,9 +185,10 @@ SurfaceKernel read(const Tool& tool, GenerateOptions& o) {
   return out;
 }
 
-SurfaceKernel solved_or_read(const Tool& tool, GenerateOptions& o) {
+SurfaceKernel solved_or_read(const Tool& tool, GenerateOptions& o, std::optional<AcfTable> table) {
   const std::string target = o.target_option(tool);
-  if (!tool.given("--kernel") && (!target.empty() || stdin_is_terminal())) return solved(tool, o);
+  if (!tool.given("--kernel") && (!target.empty() || stdin_is_terminal()))
+    return solved(tool, o, std::move(table));
   if (!target.empty()) throw UsageError(target, "cannot be combined with --kernel");
   return read(tool, o);
 }
@@ -258,8 +260,8 @@ Pointwise filtered(const Tool& tool, const GenerateOptions& o, SurfaceKernel& ke
 
 }  // namespace
 
-SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options) {
-  SurfaceKernel out = solved_or_read(tool, options);
+SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options, std::optional<AcfTable> table) {
+  SurfaceKernel out = solved_or_read(tool, options, std::move(table));
   const Shape shape = options.shape;
   out.tables = tables_for(tool, options, out.data);
   check_period(out.tables, shape, options.periodic);

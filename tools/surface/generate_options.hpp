@@ -57,8 +57,9 @@ struct SurfaceKernel : KernelSolution {
   HeightsWithAcf measured;  ///< that came with a table of the autocorrelation
 };
 
-/// Takes what is not given of the grid from the kernel's dataset into the options.
-SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options);
+/// Of a table, where the tool has one; else as the options ask for. Takes what is not given of the grid from
+/// the kernel's dataset into the options.
+SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options, std::optional<AcfTable> table);
 
 struct HeightDistribution {
   Pointwise noise, heights;  ///< what the noise and its averages become

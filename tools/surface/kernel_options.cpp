@@ -336,7 +336,7 @@ void KernelProblem::lay_out(const Tool& tool, Shape surface, bool periodic) {
 Shape KernelProblem::lags_kept() const {
   const Shape all = *request.target.known;
   if (!corner || keeps_kernel) return all;
-  return {std::min(all.nx, corner->nx / 2 + 1), std::min(all.ny, corner->ny / 2 + 1)};
+  return {std::min(all.nx, corner->nx / 4 + 1), std::min(all.ny, corner->ny / 4 + 1)};
 }
 
 void KernelProblem::narrow(Shape surface) {
@@ -346,13 +346,18 @@ void KernelProblem::narrow(Shape surface) {
   if (surface.ny == 1) request.lags.ny = std::min<Index>(request.lags.ny, 1);
 }
 
-std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options) {
-  if (!tool.given("--acf")) return std::nullopt;
+void refuse_model(const Tool& tool, const char* table) {
   std::vector<const char*> of_model{"model", "length", "length-level", "angle", "rolloff", "cutoff"};
   for (const ShapeParameter& parameter : shape_parameters) of_model.push_back(parameter.name);
   for (const char* option : of_model)
     if (given(tool, option))
-      throw UsageError(option, "cannot be combined with --acf, which gives the whole autocorrelation");
+      throw UsageError(option, std::string("cannot be combined with --") + table +
+                                   ", which gives the whole autocorrelation");
+}
+
+std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options) {
+  if (!tool.given("--acf")) return std::nullopt;
+  refuse_model(tool, "acf");
   AcfTable out = read_acf_table(options.acf, tool.memory_bound());
   tool.reads(options.acf, !out.dataset.variables.empty());
   return out;

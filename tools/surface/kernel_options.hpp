@@ -69,7 +69,7 @@ struct KernelProblem {
   std::optional<Shape> corner = {};  ///< the largest one
   bool keeps_kernel = true;          ///< with all of its lags; surfaces are drawn from the root alone
   int threads = 1;
-  /// Of the tables on a torus: all, or, of a corner without its kernel, up to half its sides.
+  /// Of the tables on a torus: all, or, of a corner without its kernel, up to a quarter of its sides.
   Shape lags_kept() const;
   std::optional<EllipticTarget> model;  ///< of a target that is no table
   std::optional<BandLimited> band;      ///< the target of that period, of --cutoff
@@ -80,6 +80,8 @@ struct KernelProblem {
   void narrow(Shape surface);
 };
 
+/// Throws UsageError for an option of a model, which `table`, the option of a table, has no use for.
+void refuse_model(const Tool& tool, const char* table);
 /// The table of --acf, if it is given; throws UsageError for options that it has no use for, DataError where
 /// it makes no sense.
 std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options);

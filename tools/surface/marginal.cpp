@@ -123,6 +123,7 @@ HeightsWithAcf measured_with_acf(const Dataset& data) {
   HeightsWithAcf out{data.attributes.number("acf_skewness", NAN),
                      data.attributes.number("acf_kurtosis", NAN)};
   if (const Variable* quantiles = data.find("acf_quantiles")) out.measured = quantiles_of(*quantiles);
+  out.gaussian = data.attributes.text("acf_marginal") != "measured" || !out.measured;
   return out;
 }
 
@@ -140,7 +141,8 @@ void MarginalOptions::declare(Tool& tool) {
       "--marginal", marginal, "NAME|FILE",
       "Distribution of the heights; gaussian; johnson: by --skewness and --kurtosis, or by those in --acf; "
       "measured: by the quantiles in --acf (asperity-acf --add acf_quantiles); FILE: by the heights of a "
-      "dataset or a text, or by Ssk and Sku of a table of asperity-stats",
+      "dataset or a text, or by Ssk and Sku of a table of asperity-stats. Default: gaussian; of a table by "
+      "asperity-acf --taper measured, where Ssk or Sku is 4 standard errors from a Gaussian's",
       group);
 }
 
@@ -163,7 +165,7 @@ std::optional<PrescribedHeights> MarginalOptions::moments(const Tool& tool, cons
   if (chosen_by_moments(tool))
     return PrescribedHeights{skewness, tool.given("--kurtosis") ? kurtosis : gamma_kurtosis(skewness),
                              answer};
-  if (marginal == "gaussian") return std::nullopt;
+  if (marginal == "gaussian" || marginal.empty()) return std::nullopt;
   if (marginal != "johnson")
     throw UsageError("marginal", marginal + ": --method filter needs --skewness and --kurtosis");
   if (std::isnan(table.skewness) || std::isnan(table.kurtosis))
@@ -173,11 +175,12 @@ std::optional<PrescribedHeights> MarginalOptions::moments(const Tool& tool, cons
 
 std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsWithAcf& table,
                                                 InfeasiblePolicy answer) const {
-  if (chosen_by_moments(tool) || marginal == "gaussian" || marginal == "johnson") {
+  const bool unsaid = marginal.empty() && table.gaussian;
+  if (chosen_by_moments(tool) || unsaid || marginal == "gaussian" || marginal == "johnson") {
     const auto prescribed = moments(tool, table, answer);
     return prescribed ? johnson(tool, *prescribed) : std::nullopt;
   }
-  if (marginal == "measured") {
+  if (marginal == "measured" || marginal.empty()) {
     if (!table.measured)
       throw UsageError("marginal", "measured: needs --acf from asperity-acf --add acf_quantiles");
     return Marginal::of(*table.measured);

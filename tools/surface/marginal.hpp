@@ -41,6 +41,7 @@ std::optional<Marginal> marginal_of(const Dataset& data);
 struct HeightsWithAcf {
   double skewness = NAN, kurtosis = NAN;
   std::optional<MeasuredHeights> measured = {};
+  bool gaussian = true;  ///< otherwise they evidently are not
 };
 HeightsWithAcf measured_with_acf(const Dataset& data);
 
@@ -50,7 +51,7 @@ void set_quantiles(Dataset& data, const std::string& name, const MeasuredHeights
 // ---- the options ----
 
 struct MarginalOptions {
-  std::string marginal = "gaussian";
+  std::string marginal = "";            ///< as the table says, else gaussian
   double skewness = 0, kurtosis = NAN;  ///< NAN: as the skewness has it
 
   void declare(Tool& tool);
