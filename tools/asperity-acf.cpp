@@ -215,11 +215,13 @@ void declare_estimate(cli::Tool& tool, Options& what) {
   tool.flag("--biased", what.biased, "Divide by all points instead of the overlapping pairs", "Estimate");
   tool.flag(
       "--taper", what.tapered,
-      "Weight the heights with Hann's window: the table that asperity-generate --acf draws twins with, and "
-      "the distribution of the heights. It is positive definite and has no cusp at lag zero, so that "
-      "twins have the slopes and summits of the surface. The outer part of the surface counts less, and "
-      "a correlation at a tenth of a side comes out 6 % smaller. All lags by default; fewer are cut off "
-      "smoothly. Not for --biased or errors",
+      "Weight the heights with Tukey's window, a raised cosine over a fifth of the side at each end: the "
+      "table "
+      "that asperity-generate --acf draws twins with, and the distribution of the heights. It is positive "
+      "definite and has no cusp at lag zero, so that twins have the slopes and summits of the surface. The "
+      "outer part of the surface counts less, and a correlation at a tenth of a side comes out 7 % smaller. "
+      "All "
+      "lags by default; fewer are cut off smoothly. Not for --biased or errors",
       "Estimate");
   tool.flag("--absolute", what.absolute,
             "R in units squared instead of R / R(0,0); the target is scaled alike", "Estimate");

@@ -19,8 +19,14 @@ constexpr Index hole_reach = 2;      // half the width of a wide hole
 constexpr double sides_a_ramp = 16;  // of w towards a wide hole, in the shorter side
 constexpr double far_away = 1e18;
 
-double hann(Index i, Index n) {
-  return std::pow(std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n)), 2);
+constexpr double ramp = 0.2;  // of a side, at each end
+
+double raised_cosine(double t) {
+  return std::pow(std::sin(std::numbers::pi / 2 * std::clamp(t, 0.0, 1.0)), 2);
+}
+
+double tukey(Index i, Index n) {
+  return raised_cosine((static_cast<double>(std::min(i, n - 1 - i)) + 0.5) / (ramp * static_cast<double>(n)));
 }
 
 // ---- the distance to wide holes ----
@@ -89,8 +95,7 @@ Field ramps(const Field& z) {
   const double shorter = static_cast<double>(std::min(z.rows(), z.cols())),
                length = std::max(4.0, shorter / sides_a_ramp);
   return distances(std::move(middles)).unaryExpr([length](double d) {
-    const double t = std::clamp((d - static_cast<double>(hole_reach)) / length, 0.0, 1.0);
-    return std::pow(std::sin(std::numbers::pi / 2 * t), 2);
+    return raised_cosine((d - static_cast<double>(hole_reach)) / length);
   });
 }
 
@@ -105,7 +110,7 @@ struct Window {
       : along_x(Eigen::ArrayXd::Ones(grid.shape.nx)), along_y(Eigen::ArrayXd::Ones(grid.shape.ny)) {
     if (grid.periodic.both()) return;
     for (Eigen::ArrayXd* w : {&along_x, &along_y})
-      for (Index i = 0; i < w->size(); ++i) (*w)(i) = hann(i, w->size());
+      for (Index i = 0; i < w->size(); ++i) (*w)(i) = tukey(i, w->size());
   }
   Eigen::Array<double, 1, Eigen::Dynamic> row(Index i) const {
     const auto whole = along_x(i) * along_y.transpose();

@@ -80,7 +80,7 @@ class Writer {
 
 std::string AcfContent::squared() const { return unit_to(units, 2); }
 
-const char* taper_of(const Grid& grid) { return grid.periodic.both() ? "none" : "hann"; }
+const char* taper_of(const Grid& grid) { return grid.periodic.both() ? "none" : "tukey"; }
 
 AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads) {
   const ErrorBasis basis = error_basis(surface, threads);

@@ -40,7 +40,7 @@ struct AcfContent {
 /// What twins of a surface are drawn with (stats/spatial/tapered_acf.hpp): the ACF of the tapered field, and
 /// the heights.
 AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads);
-/// "hann", or "none" of a periodic surface.
+/// "tukey", or "none" of a periodic surface.
 const char* taper_of(const Grid& grid);
 
 MeasuredHeights quantiles_of(const Field& heights);

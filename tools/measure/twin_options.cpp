@@ -46,6 +46,7 @@ std::optional<AcfTable> TwinOptions::table(const Tool& tool, GenerateOptions& ge
   if (!tool.given("--like")) return refuse_without_map(tool), std::nullopt;
   refuse_beside_map(tool);
   Dataset data = tool.read(like);
+  tool.reads(like);  // no output replaces the map
   Surface surface = map.read(tool, data);
   const bool periodic = surface.grid.periodic.both();
   if (periodic && tool.given("--shape") && generate.shape != surface.grid.shape)

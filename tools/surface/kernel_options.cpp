@@ -74,7 +74,7 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
       group);
   tool.number("--acf-tolerance", request.acf_tolerance,
               "Largest error of the ACF over all lags, as a share of the variance; if no kernel has the "
-              "prescribed lags, their largest change. Above it the exit status is 3, except that an error "
+              "prescribed lags, their largest change; 0.01 of a map's (--like, asperity-acf --taper). Above it the exit status is 3, except that an error "
               "beyond the given --lags only causes a warning",
               group);
   tool.choice(
@@ -281,6 +281,8 @@ void take_table(KernelProblem& out, const Tool& tool, AcfTable table, Shape peri
     out.period = table.period_on(periodic);
     out.positive_definite = table.positive_definite;
   }
+  constexpr double known_to = 1e-2;  // of the variance: what one map tells of its autocorrelation, at best
+  if (out.positive_definite && !given(tool, "acf-tolerance")) out.request.acf_tolerance = known_to;
   out.request.target = target_of_table(std::move(table.half_plane));
   out.measured = std::move(table.heights);
   out.data = std::move(table.dataset);

@@ -145,6 +145,8 @@ std::string changed(const KernelProblem& problem, const Kernel& kernel) {
   if (answer == Answer::exact || answer == Answer::wider || change <= problem.request.tolerance) return "";
   const std::string by = " by up to " + number(change) + " of the variance";
   if (answer == Answer::spectral) return "the root of the spectrum changes the autocorrelation" + by;
+  if (problem.corner)
+    return "no surface with this distribution of heights has this autocorrelation: its own differs" + by;
   if (problem.torus) return "the kernel of the period changes the autocorrelation" + by;
   return "no kernel of " + text(kernel.lags) +
          " lags has this autocorrelation; the kernel of the nearest feasible one changes it" + by;
