@@ -6,7 +6,8 @@
 /// construction. Its expectation is the surface's R times W(p,q)/W(0,0), W the window's own sums (1). The
 /// biased estimate has w = 1 and a W of (1 - |p|/n)(1 - |q|/m), whose cusp at lag zero is an exponential's:
 /// of a smooth surface the slopes are too large by a third and the summits too many by a factor of 20. Here w
-/// is Tukey's window along both axes, a raised cosine over a fifth of the side at each end, whose W is smooth:
+/// is Tukey's window along both axes, a raised cosine over a fifth of the side at each end, whose W is
+/// smooth:
 ///     w(t) = sin²(π t/2a), t < a = 1/5;  1 up to ½,   W(p,0)/W(0,0) = 1 - 8.2 (p/n)² + …               (2)
 /// with t = (i + ½)/n, and the same for 1 - t. Correlations of a tenth of a side come out 7 % smaller, of a
 /// fifth 20 %. Hann's window (a = ½) would leave a quarter of that area to count: Sq of one map and its twins
@@ -26,10 +27,9 @@
 ///           and 1.09, of 4 lengths 0.98, 1.09, 1.7 and 1.2.
 /// Cost      as of the ACF at all lags (stats/spatial/acf.hpp), and the filling. Memory: five fields.
 ///
-/// J. W. Tukey, An introduction to the calculations of numerical spectrum analysis, in B. Harris (ed.), Spectral
-/// analysis of time series (Wiley 1967) 25-46; H. Wendland, Piecewise
-/// polynomial, positive definite and compactly supported radial functions of minimal degree, Adv. Comput.
-/// Math. 4 (1995) 389-396.
+/// J. W. Tukey, An introduction to the calculations of numerical spectrum analysis, in B. Harris (ed.),
+/// Spectral analysis of time series (Wiley 1967) 25-46; H. Wendland, Piecewise polynomial, positive definite
+/// and compactly supported radial functions of minimal degree, Adv. Comput. Math. 4 (1995) 389-396.
 #pragma once
 
 #include "core/field.hpp"

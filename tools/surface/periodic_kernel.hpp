@@ -1,11 +1,11 @@
-/// Kernels on a torus, in a dataset (acf/periodic.hpp): of periodic surfaces, or of surfaces that are a corner
-/// of a periodic one.
+/// Kernels on a torus, in a dataset (acf/periodic.hpp): of periodic surfaces, or of surfaces that are a
+/// corner of a periodic one.
 ///
-/// The attribute kernel_period, in samples, is the torus. Such a kernel is right on no other grid, except that
-/// kernel_corner is the largest surface that is not periodic and may be cut out. acf_target and acf_achieved
-/// are at lags up to half a period, or less. It comes about where the correlation of a kernel reaches around a
-/// periodic surface, where a table has all lags of a period, and where a table is positive definite as it
-/// stands.
+/// The attribute kernel_period, in samples, is the torus. Such a kernel is right on no other grid, except
+/// that kernel_corner is the largest surface that is not periodic and may be cut out. acf_target and
+/// acf_achieved are at lags up to half a period, or less. It comes about where the correlation of a kernel
+/// reaches around a periodic surface, where a table has all lags of a period, and where a table is positive
+/// definite as it stands.
 #pragma once
 
 #include <optional>
