@@ -68,10 +68,11 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Tool tool("asperity-generate",
-                 "Draws random rough surfaces with a prescribed autocorrelation and height distribution: "
-                 "white noise convolved "
-                 "with the kernel that solves the autocorrelation equations.");
+  cli::Tool tool(
+      "asperity-generate",
+      "Draws random rough surfaces with a prescribed autocorrelation and height distribution: those of "
+      "a model, of a table, or of a measured surface (--like). White noise is convolved with the "
+      "kernel that solves the autocorrelation equations.");
   cli::GenerateOptions options;
   cli::TwinOptions twins;
   options.declare(tool);

@@ -1,8 +1,13 @@
 #include "tools/measure/twin_options.hpp"
 
+#include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/words.hpp"
 #include "tools/cli/lineage.hpp"
+#include "tools/cli/quantity.hpp"
 #include "tools/measure/acf_result.hpp"
 
 namespace asperity::cli {
@@ -20,9 +25,18 @@ void refuse_without_map(const Tool& tool) {
     if (tool.given(std::string("--") + option)) throw UsageError(option, "needs --like");
 }
 
+void tell(const Tool& tool, const std::string& map, const AcfResult& of) {
+  const bool gaussian = std::string_view(of.marginal) == "gaussian";
+  const std::string sq = format_quantity(std::stod(number(std::sqrt(of.estimate.variance))), "m");
+  tool.note(
+      fmt::format("twins of {}: Sq {} as the taper weights it, heights {}Gaussian (Ssk {:.2g}, Sku {:.2g})",
+                  map, sq, gaussian ? "" : "evidently not ", of.moments.ssk, of.moments.sku));
+}
+
 // Of tables as large as twice the surface, no more than two at a time.
-void add_tapered_acf(Dataset& data, Surface surface, int threads) {
-  const AcfResult result = tapered_acf(surface, longest_lags(surface.grid), threads);
+void add_tapered_acf(const Tool& tool, const std::string& map, Dataset& data, Surface surface) {
+  const AcfResult result = tapered_acf(surface, longest_lags(surface.grid), tool.thread_count());
+  tell(tool, map, result);
   surface.heights.resize(0, 0);
   drop_surface(data, "kernel");  // the map's results are not missed in its twins
   add_acf(data, result, {}, {surface.variable, surface.units, false, taper_of(surface.grid)});
@@ -53,7 +67,7 @@ std::optional<AcfTable> TwinOptions::table(const Tool& tool, GenerateOptions& ge
     throw UsageError("shape", text(generate.shape) + ": the map is periodic and its twins have its period, " +
                                   text(surface.grid.shape));
   generate.periodic = generate.periodic || periodic;
-  add_tapered_acf(data, std::move(surface), tool.thread_count());
+  add_tapered_acf(tool, like, data, std::move(surface));
   AcfTable out = acf_table_of(std::move(data));
   drop_results(out.dataset, "acf");
   return out;

@@ -19,7 +19,7 @@ void GenerateOptions::declare(Tool& tool) {
   const std::string surface = "Surface";
   tool.counts("--shape", shape, 1, "Samples in x and y", surface);
   tool.quantities("--size", size, "m",
-                  "Side lengths in x and y. Default: --shape times the spacing of --kernel or --acf",
+                  "Side lengths in x and y. Default: --shape times the spacing of --like, --kernel or --acf",
                   surface);
   tool.quantity(
       "--rq", acf.rms, "m",
