@@ -215,10 +215,12 @@ void declare_estimate(cli::Tool& tool, Options& what) {
   tool.flag("--biased", what.biased, "Divide by all points instead of the overlapping pairs", "Estimate");
   tool.flag(
       "--taper", what.tapered,
-      "Weight the heights with Tukey's window, a raised cosine over a fifth of the side at each end: the "
-      "table "
-      "that asperity-generate --acf draws twins with, and the distribution of the heights. It is positive "
-      "definite and has no cusp at lag zero, so that twins have the slopes and summits of the surface. The "
+      "Weight the heights with Tukey's window. The table that asperity-generate --acf draws twins with, and "
+      "the "
+      "distribution of the heights. The window is a raised cosine over a fifth of the side at each end. The "
+      "table is "
+      "positive definite and has no cusp at lag zero, so that twins have the slopes and summits of the "
+      "surface. The "
       "outer part of the surface counts less, and a correlation at a tenth of a side comes out 7 % smaller. "
       "All "
       "lags by default; fewer are cut off smoothly. Not for --biased or errors",
@@ -247,7 +249,7 @@ void declare(cli::Tool& tool, Options& what) {
   tool.output();
   tool.threads();
   tool.essential({"--result", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--levels",
-                  "--direction", "--max-lag", "--taper", "--biased", "--add", "--json", "--output"});
+                  "--direction", "--max-lag", "--taper", "--add", "--json", "--output"});
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-acf --result "
       "lengths");

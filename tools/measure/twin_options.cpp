@@ -28,9 +28,9 @@ void refuse_without_map(const Tool& tool) {
 void tell(const Tool& tool, const std::string& map, const AcfResult& of) {
   const bool gaussian = std::string_view(of.marginal) == "gaussian";
   const std::string sq = format_quantity(std::stod(number(std::sqrt(of.estimate.variance))), "m");
-  tool.note(
-      fmt::format("twins of {}: Sq {} as the taper weights it, heights {}Gaussian (Ssk {:.2g}, Sku {:.2g})",
-                  map, sq, gaussian ? "" : "evidently not ", of.moments.ssk, of.moments.sku));
+  tool.note(fmt::format("twins of {}: Sq {} as the taper weights it, {} (Ssk {:.2g}, Sku {:.2g})", map, sq,
+                        gaussian ? "Gaussian heights are not excluded" : "heights evidently not Gaussian",
+                        of.moments.ssk, of.moments.sku));
 }
 
 // Of tables as large as twice the surface, no more than two at a time.
