@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "marginal/correlation_map.hpp"
 #include "math/noise.hpp"
@@ -25,27 +26,11 @@ Shape torus_of(const FieldModel& model) {
   return {torus_length(shape.nx, periodic.x, reach.nx + 1), torus_length(shape.ny, periodic.y, reach.ny + 1)};
 }
 
-AlignedVector<double> root_of_power(const RealTransform2D& transform, Shape torus, const LagField& rho) {
-  AlignedVector<double> lags(static_cast<std::size_t>(torus.cells()));
-  auto lag = [](Index i, Index n) { return 2 * i <= n ? i : i - n; };
-  for (Index i = 0; i < torus.nx; ++i)
-    for (Index j = 0; j < torus.ny; ++j)
-      lags[static_cast<std::size_t>(i * torus.ny + j)] = rho(lag(i, torus.nx), lag(j, torus.ny));
-  AlignedVector<Complex> power(static_cast<std::size_t>(transform.spectrum_size()));
-  transform.forward(lags.data(), power.data());
-  AlignedVector<double> out(power.size());
-  const Index columns = transform.spectrum_columns();
-  double sum = 0;
-  for (std::size_t k = 0; k < out.size(); ++k) {
-    const Index column = static_cast<Index>(k) % columns;
-    const bool own = column == 0 || 2 * column == torus.ny;  // its mirror image is in the same column
-    const double p = std::max(power[k].real(), 0.0);
-    sum += own ? p : 2 * p;
-    // Of the real and imaginary part; of a column that is its own mirror image the transform keeps one.
-    out[k] = std::sqrt(own ? p : p / 2);
-  }
-  for (double& value : out) value /= std::sqrt(sum);
-  return out;
+SpectralRoot root_on(Shape torus, const FieldModel& model) {
+  const LagField rho = model.translation
+                           ? underlying_correlation(model.correlation, CorrelationMap(*model.translation))
+                           : model.correlation;
+  return spectral_root(rho.within({torus.nx / 2, torus.ny / 2}).half_plane(), torus);
 }
 
 }  // namespace
@@ -54,27 +39,28 @@ RandomFields::RandomFields(const FieldModel& model, std::uint64_t seed)
     : shape_(model.grid.shape),
       translation_(model.translation),
       seed_(seed),
-      torus_(torus_of(model)),
-      transform_(torus_) {
-  root_ =
-      root_of_power(transform_, torus_,
-                    translation_ ? underlying_correlation(model.correlation, CorrelationMap(*translation_))
-                                 : model.correlation);
-}
+      transform_(torus_of(model)),
+      root_(root_on(transform_.shape(), model)) {}
 
 Field RandomFields::heights(Index k) const {
   WhiteNoise noise(seed_, static_cast<std::uint64_t>(k));
   const Index columns = transform_.spectrum_columns();
-  AlignedVector<Complex> spectrum(root_.size());
-  for (Index i = 0; i < torus_.nx; ++i) {
+  const Shape torus = transform_.shape();
+  const double whole_share = 1 / std::sqrt(static_cast<double>(torus.cells()));
+  AlignedVector<Complex> spectrum(root_.values.size());
+  for (Index i = 0; i < torus.nx; ++i) {
     Complex* row = spectrum.data() + i * columns;
-    noise.row(i, {reinterpret_cast<double*>(row), static_cast<std::size_t>(2 * columns)});
-    for (Index j = 0; j < columns; ++j) row[j] *= root_[static_cast<std::size_t>(i * columns + j)];
+    noise.row(i, {reinterpret_cast<double*>(row), size(2 * columns)});
+    for (Index j = 0; j < columns; ++j) {
+      const bool own = j == 0 || 2 * j == torus.ny;  // its mirror image is in the same column
+      // Of the real and imaginary part; of a column that is its own mirror image the transform keeps one.
+      row[j] *= root_.column(j)[i] * (own ? whole_share : std::numbers::sqrt2 / 2 * whole_share);
+    }
   }
-  AlignedVector<double> whole(static_cast<std::size_t>(torus_.cells()));
+  AlignedVector<double> whole(size(torus.cells()));
   transform_.inverse(spectrum.data(), whole.data());
   if (translation_) translation_->apply(whole);
-  return Eigen::Map<const Field>(whole.data(), torus_.nx, torus_.ny).topLeftCorner(shape_.nx, shape_.ny);
+  return Eigen::Map<const Field>(whole.data(), torus.nx, torus.ny).topLeftCorner(shape_.nx, shape_.ny);
 }
 
 }  // namespace asperity

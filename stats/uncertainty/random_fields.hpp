@@ -4,7 +4,7 @@
 /// (marginal/translation.hpp). The Gaussian field then has the correlation that gives the heights the
 /// prescribed one (marginal/correlation_map.hpp), the nearest where there is none, as asperity-generate
 /// draws them. The torus is longer than the field by the reach of the correlation, twice as long at most.
-/// Waves of negative power, which no field has, get none.
+/// Waves of negative power, which no field has, get none (acf/periodic.hpp).
 ///
 /// Cost      a transform of the torus a field, 8 ns a point for its noise.
 /// Memory    32 bytes a point of the torus for each field that is drawn at once, 8 more for all.
@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "acf/periodic.hpp"
 #include "marginal/translation.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "transform/plan.hpp"
@@ -40,9 +41,8 @@ class RandomFields {
   Shape shape_;
   std::optional<Translation> translation_;
   std::uint64_t seed_;
-  Shape torus_;
-  RealTransform2D transform_;
-  AlignedVector<double> root_;  ///< of the power, over the half spectrum
+  RealTransform2D transform_;  ///< on the torus
+  SpectralRoot root_;
 };
 
 }  // namespace asperity
