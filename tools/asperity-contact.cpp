@@ -186,23 +186,29 @@ cli::Table sweep_table(const cli::Tool& tool, const cli::ContactOptions& options
                        const cli::ContactScene& scene, ElasticOperator& influence, const std::string& of,
                        const Say& say) {
   cli::Table out;
-  int number = 0;
+  std::size_t number = 0;
   const auto add = [&](const Contact& c) {
     const cli::GridFigures figures = cli::grid_figures(options, scene, influence, c);
     cli::add_load(out, scene, options, c, figures);
-    LoadVerdict verdict{of + cli::format_quantity(c.load, "N"), doubts(scene.grid, options.bodies, c),
-                        cli::unconverged(options, c)};
+    const std::string load = cli::format_quantity(options.loads[number++], options.load_unit());
+    LoadVerdict verdict{of + load, doubts(scene.grid, options.bodies, c), cli::unconverged(options, c)};
     for (Doubt& doubt : cli::doubts(figures)) verdict.doubts.push_back(std::move(doubt));
     say(verdict);
     if (options.each.empty()) return;
     cli::ContactScene one = scene;
     cli::record(one, options, c, figures);
-    if (++number == 1) cli::Inventory(scene.data).tell(tool, one.data, "pressure");
-    one.written([&] { tool.write(one.data, cli::numbered("each", options.each, number)); });
+    if (number == 1) cli::Inventory(scene.data).tell(tool, one.data, "pressure");
+    one.written([&] {
+      tool.write(one.data, cli::numbered("each", options.each, static_cast<std::int64_t>(number)));
+    });
   };
-  solve_load_sequence(scene.grid, scene.gap, influence, options.contact, options.loads, add);
+  std::vector<double> loads = options.loads;
+  for (double& load : loads) load = options.force_on(scene.grid, load);
+  solve_load_sequence(scene.grid, scene.gap, influence, options.contact, loads, add);
   return out;
 }
+
+const std::set<std::string> prescribed_columns{"load", "mean_pressure"};
 
 // What has not converged is unknown.
 void blank_unconverged(cli::Table& table) {
@@ -211,14 +217,17 @@ void blank_unconverged(cli::Table& table) {
   for (auto& row : table.rows)
     if (std::get<double>(row[converged]) == 0)
       for (std::size_t c = 0; c < row.size(); ++c)
-        if (table.columns[c].name != "load") row[c] = NAN;
+        if (!prescribed_columns.contains(table.columns[c].name)) row[c] = NAN;
 }
 
 cli::EnsembleTable::Content content_of(const cli::Table& sweep) {
-  const std::set<std::string> apart{"load", "approach", "residual", "convolutions", "converged"};
-  cli::EnsembleTable::Content out{.keys = {"load"}, .value = "approach", .error = "approach_standard_error"};
+  const std::set<std::string> apart{"approach", "residual", "convolutions", "converged"};
+  cli::EnsembleTable::Content out{.keys = {}, .value = "approach", .error = "approach_standard_error"};
   for (const cli::Column& c : sweep.columns)
-    if (!apart.contains(c.name)) (c.name.ends_with("_error") ? out.means : out.others).push_back(c.name);
+    if (prescribed_columns.contains(c.name))
+      out.keys.push_back(c.name);
+    else if (!apart.contains(c.name))
+      (c.name.ends_with("_error") ? out.means : out.others).push_back(c.name);
   return out;
 }
 

@@ -129,6 +129,7 @@ inline constexpr KnownAttribute attributes[] = {
     {"psd_surfaces", other, "1", "surfaces in the mean"},
     {"psd_window", other, "", "window"},
     {"contact_load", result, "N", "load"},
+    {"contact_mean_pressure", result, "Pa", "mean pressure over the nominal area"},
     {"contact_approach", result, "m", "approach"},
     {"contact_max_pressure", result, "Pa", "maximum pressure"},
     {"contact_area", result, "m2", "real contact area"},

@@ -52,6 +52,11 @@ class SameBits(support.TestCase):
         other = asp.generate(**{**SURFACE, "size": "1e-3m,6e-4m", "rq": "4e-7m", "length": "5e-5m"})
         self.assertEqual(one.heights.values.tobytes(), other.heights.values.tobytes())
 
+    def test_a_mean_pressure_is_the_load_over_the_surface(self):
+        flats = dict(smooth=True, shape=(32, 24), size="1mm,0.6mm", boundary="periodic", young="208GPa", poisson=0.3)
+        for pressure in ("50MPa", asp.si(5e7)):
+            self.assertAlmostEqual(asp.contact(**flats, mean_pressure=pressure).contact_load / (5e7 * 1e-3 * 0.6e-3), 1, 11)
+
     def test_a_dataset_that_comes_back_is_the_one_that_went(self):
         surface = asp.generate(**SURFACE)
         back = asp.convert(surface, no_history=True)

@@ -189,6 +189,34 @@ TEST_CASE("a tolerance below round-off is not converged and names the residual o
 
 // ---- sweeps ----
 
+// The load is met to 1e-12 (docs/accuracy), on sides that differ.
+TEST_CASE(
+    "a mean pressure is the load over the whole surface, alone and in a sweep, of flats that repeat or end",
+    "[contact][law]") {
+  constexpr double area = 1.2e-3 * 1e-3, pressure = 50e6, round_off = 1e-11;
+  require(
+      "asperity-generate --periodic --shape 48x32 --size 1.2mm,1mm --rq 0.4um --model gaussian --length "
+      "0.2mm "
+      "--seed 5 -o flat.nc");
+  for (const std::string boundary : {"periodic", "free"}) {
+    const std::string flats = "asperity-contact flat.nc --boundary " + boundary + steel;
+    const Attributes a = attributes_of(flats + "--mean-pressure 50MPa"),
+                     loaded = attributes_of(flats + "--load 60N");
+    CAPTURE(boundary);
+    CHECK(a.text("contact_prescribed") == "mean_pressure");
+    CHECK(relative_error(a.number("contact_mean_pressure", 0), pressure) <= round_off);
+    CHECK(relative_error(a.number("contact_load", 0), pressure * area) <= round_off);
+    CHECK(relative_error(a.number("contact_area", 0), loaded.number("contact_area", 0)) <= round_off);
+    CHECK(loaded.find("contact_mean_pressure") == nullptr);
+    const Printed sweep = printed(flats + "--sweep 25MPa:50MPa:2,20MPa");
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double expected = std::array{25e6, 50e6, 20e6}[k];
+      CHECK(relative_error(sweep["mean_pressure"].at(k), expected) <= round_off);
+      CHECK(relative_error(sweep["load"].at(k), expected * area) <= round_off);
+    }
+  }
+}
+
 TEST_CASE("a sweep prints a row a load, each the contact of its load alone", "[contact][law]") {
   const Printed table = printed(sphere + "--sweep 500N:5kN:9");
   REQUIRE(table.rows.size() == 9);

@@ -11,14 +11,27 @@
 namespace asperity::cli {
 namespace {
 
-double parse_load(const std::string& text) {
-  const double load = parse_quantity("sweep", text, "N");
-  if (!(load > 0 && std::isfinite(load))) throw UsageError("sweep", "'" + text + "' is not above 0");
-  return load;
+using ParseLoad = std::function<double(const std::string&)>;
+
+// In "N", or mean pressures in "Pa".
+ParseLoad loads_in(const std::string& unit) {
+  return [unit](const std::string& text) {
+    const double load = parse_quantity("sweep", text, unit);
+    if (!(load > 0 && std::isfinite(load))) throw UsageError("sweep", "'" + text + "' is not above 0");
+    return load;
+  };
+}
+
+// Whether a sweep begins with a pressure.
+bool begins_with_pressure(const std::string& loads) try {
+  parse_quantity("sweep", loads.substr(0, loads.find_first_of(",:")), "Pa");
+  return true;
+} catch (const ParameterError&) {
+  return false;
 }
 
 // One of the ranges of a sweep: a falling one is a rising one read backwards.
-std::vector<double> parse_range(const std::string& text) {
+std::vector<double> parse_range(const std::string& text, const ParseLoad& parse_load) {
   std::vector<std::string> words = split(text, ':');
   const bool falls = words.size() >= 3 && parse_load(words[0]) > parse_load(words[1]);
   if (!falls) return parse_series("sweep", text, Steps::geometric, parse_load);
@@ -30,12 +43,12 @@ std::vector<double> parse_range(const std::string& text) {
 }
 
 // Loads and ranges; where a range goes on from the load before it, that load is pressed once.
-std::vector<double> parse_loads(const std::string& text) {
+std::vector<double> parse_loads(const std::string& text, const ParseLoad& parse_load) {
   constexpr double round_off = 1e-12;
   std::vector<double> out;
   for (const std::string& part : split(text, ',')) {
     const bool range = part.find(':') != part.npos;
-    const std::vector<double> loads = range ? parse_range(part) : std::vector{parse_load(part)};
+    const std::vector<double> loads = range ? parse_range(part, parse_load) : std::vector{parse_load(part)};
     const bool joins = range && !out.empty() && std::abs(loads.front() / out.back() - 1) < round_off;
     out.insert(out.end(), loads.begin() + (joins ? 1 : 0), loads.end());
   }
@@ -102,6 +115,11 @@ void ContactOptions::declare_bodies(Tool& tool) {
 void ContactOptions::declare_load(Tool& tool) {
   const std::string load = "Load and material";
   tool.quantity("--load", load_, "N", "Force that presses the bodies together", load);
+  tool.quantity(
+      "--mean-pressure", mean_pressure_, "Pa",
+      "Load of flat bodies over the nominal area, instead of --load. That area is the whole surface, "
+      "cells out of contact included: contact_mean_pressure",
+      load);
   tool.quantity("--approach", approach_, "m",
                 "Prescribed approach instead of a load; 0 where the smooth forms touch", load);
   const Option yield =
@@ -133,12 +151,13 @@ void ContactOptions::declare_load(Tool& tool) {
 
 void ContactOptions::declare_sweep(Tool& tool) {
   const std::string sweep = "Load sweep";
-  tool.text("--sweep", loads_, "LOADS",
-            "Table of loads, with the stiffness at each; 10N:5kN:20 (equal ratios), 10N:5kN:20:uniform "
-            "(equal steps), 10N,20N,50N, or a way up and down, 10N:5kN:20,5kN:10N:20. Each load starts from "
-            "the solution of the one before; with a limit pressure, a load below a former one presses the "
-            "surface that the greatest has flattened",
-            sweep);
+  tool.text(
+      "--sweep", loads_, "LOADS",
+      "Table of loads, with the stiffness at each; 10N:5kN:20 (equal ratios), 10N:5kN:20:uniform "
+      "(equal steps), 10N,20N,50N, or a way up and down, 10N:5kN:20,5kN:10N:20; of flat bodies also mean "
+      "pressures, 1MPa:50MPa:10. Each load starts from the solution of the one before; with a limit "
+      "pressure, a load below a former one presses the surface that the greatest has flattened",
+      sweep);
   tool.text(
       "--each", each, "PATTERN",
       "Write a dataset for each load too, or for each of several surfaces; press-%03d.nc, numbered from 1",
@@ -165,18 +184,41 @@ void ContactOptions::check(Tool& tool) {
 }
 
 void ContactOptions::check_load(const Tool& tool) {
-  const int given = tool.given("--load") + tool.given("--approach") + tool.given("--sweep");
+  const int given =
+      tool.given("--load") + tool.given("--mean-pressure") + tool.given("--approach") + tool.given("--sweep");
   if (given != 1)
-    throw UsageError("load", given == 0 ? "is required, or --approach or --sweep"
-                                        : "only one of --load, --approach and --sweep can be given");
+    throw UsageError("load",
+                     given == 0 ? "is required, or --mean-pressure, --approach or --sweep"
+                                : "only one of --load, --mean-pressure, --approach and --sweep can be given");
+  const bool sweep = tool.given("--sweep");
+  by_mean_pressure = sweep ? begins_with_pressure(loads_) : tool.given("--mean-pressure");
   if (tool.given("--load")) contact.load = load_;
+  if (tool.given("--mean-pressure")) contact.load = mean_pressure_;
   if (tool.given("--approach")) contact.approach = approach_;
-  if (tool.given("--sweep")) contact.load = (loads = parse_loads(loads_)).front();
+  if (sweep) contact.load = (loads = parse_loads(loads_, loads_in(load_unit()))).front();
   contact.stiffness = sweeps() || adds("contact_stiffness");
   if (tool.given("--yield")) {
     if (!(yield_ > 0)) throw UsageError("yield", fmt::format("'{} Pa' is not above 0", yield_));
     contact.limit_pressure = hardness * yield_;
   }
+  if (by_mean_pressure) check_mean_pressure(sweep ? "sweep" : "mean-pressure");
+}
+
+void ContactOptions::check_mean_pressure(const char* name) const {
+  if (!bodies.flat())
+    throw UsageError(name,
+                     "a mean pressure of curved bodies depends on how far the surface reaches beyond the "
+                     "contact: give the load in N, or leave the radii out");
+  const double greatest = sweeps() ? std::ranges::max(loads) : contact.load;
+  if (!(greatest >= 1e-100 && greatest <= 1e100))
+    throw ParameterError(name, fmt::format("{} Pa does not lie in 1e-100 ... 1e100 Pa", greatest));
+  if (greatest > contact.limit_pressure)
+    throw ParameterError(
+        name, fmt::format("{} Pa is above the limit pressure, {:.6g} Pa", greatest, contact.limit_pressure));
+}
+
+double ContactOptions::force_on(const Grid& grid, double load) const {
+  return by_mean_pressure ? load * grid.size_x() * grid.size_y() : load;
 }
 
 void ContactOptions::check_accuracy(const Tool& tool) {

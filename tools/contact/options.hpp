@@ -28,6 +28,7 @@ struct ContactOptions {
   const Ranks* ranks = &alone();  ///< that press together
   ContactParameters contact;      ///< of a sweep with its first load
   std::vector<double> loads;      ///< of a sweep; empty: one contact is solved and written
+  bool by_mean_pressure = false;  ///< all loads are mean pressures [Pa], until force_on()
   std::string each;               ///< pattern of the datasets of a sweep, or of several surfaces
   std::vector<std::string> add;   ///< further results
   double accuracy = 0;            ///< largest relative error of the grid; 0: whatever it is
@@ -37,6 +38,9 @@ struct ContactOptions {
   bool tabulates() const { return sweeps() || several(); }  ///< a table is printed, in place of a dataset
   bool adds(std::string_view result) const { return std::ranges::find(add, result) != add.end(); }
   bool unloads() const { return adds("heights_residual"); }
+  std::string load_unit() const { return by_mean_pressure ? "Pa" : "N"; }
+  /// The load [N] that one of the loads is on this grid.
+  double force_on(const Grid& grid, double load) const;
   void declare(Tool& tool);
   /// After parsing: throws ParameterError when options do not go together or are out of bounds. Reads
   /// the list of the surfaces, if there is one.
@@ -48,13 +52,14 @@ struct ContactOptions {
   void declare_load(Tool& tool);
   void declare_sweep(Tool& tool);
   void check_load(const Tool& tool);
+  void check_mean_pressure(const char* name) const;
   void check_added() const;
   void check_accuracy(const Tool& tool);
   void check_streams(Tool& tool);
   void check_table(Tool& tool) const;
 
   std::array<double, 2> radius_{flat, flat}, radius_x_{flat, flat}, radius_y_{flat, flat};
-  double load_ = none, approach_ = none, yield_ = none;
+  double load_ = none, mean_pressure_ = none, approach_ = none, yield_ = none;
   std::string loads_, accuracy_;
   std::size_t surfaces_ = 1;
   void check_ranks(const Tool& tool);

@@ -111,7 +111,9 @@ Pressed press(const ContactOptions& options, ContactScene& scene, Influence& inf
   ElasticOperator& body = influence.on(scene.grid);
   const bool pressed_again = options.adds("grid_errors");  // on coarser cells; else the gap has served
   Field gap = pressed_again ? scene.gap : std::move(scene.gap);
-  Pressed out{solve_contact(scene.grid, std::move(gap), body, options.contact), {}, {}};
+  ContactParameters parameters = options.contact;
+  parameters.load = options.force_on(scene.grid, parameters.load);
+  Pressed out{solve_contact(scene.grid, std::move(gap), body, parameters), {}, {}};
   out.contact.setup_seconds = influence.further_seconds();
   out.figures = grid_figures(options, scene, body, out.contact);
   out.doubts = doubts(scene.grid, options.bodies, out.contact);

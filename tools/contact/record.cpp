@@ -86,7 +86,8 @@ constexpr Quantity<Energies> energy_quantities[] = {{"contact_elastic_energy", &
 
 // The columns of a sweep, without contact_.
 constexpr std::string_view load_columns =
-    "load approach area area_corrected plastic_area mean_gap stiffness max_pressure residual convolutions "
+    "load mean_pressure approach area area_corrected plastic_area mean_gap stiffness max_pressure residual "
+    "convolutions "
     "converged area_share reduced_pressure kappa reduced_gap sphere_roughness elastic_energy plastic_work "
     "patches largest_patch percolates_x percolates_y";
 
@@ -108,7 +109,9 @@ void record_bodies(Attributes& a, const ContactOptions& o, const Grid& grid) {
   set_pair("contact_young", b.young[0], b.young[1]);
   set_pair("contact_poisson", b.poisson[0], b.poisson[1]);
   a.set("contact_composite_modulus", b.composite_modulus());
-  a.set("contact_prescribed", o.contact.approach ? "approach" : "load");
+  a.set("contact_prescribed", o.contact.approach   ? "approach"
+                              : o.by_mean_pressure ? "mean_pressure"
+                                                   : "load");
   a.set("contact_boundary", boundary_of(grid.periodic));
   if (grid.periodic.one()) a.set("contact_approach_datum", displacement_datum(grid));
   if (!o.counter.empty()) a.set("contact_counter", o.counter);
@@ -150,6 +153,7 @@ void record_patches(Attributes& a, const Grid& grid, const Patches& patches) {
 std::optional<Patches> record_load(Attributes& a, const ContactScene& scene, const ContactOptions& o,
                                    const Contact& c, const GridFigures& grid) {
   record(a, solution_quantities, c);
+  if (o.by_mean_pressure) a.set("contact_mean_pressure", mean_pressure(scene.grid, c));
   if (o.contact.stiffness) {
     record(a, stiffness_quantities, c);
     a.set("contact_stiffness_converged", std::isnan(c.stiffness) ? 0 : 1);

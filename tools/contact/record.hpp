@@ -12,6 +12,11 @@ namespace asperity::cli {
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact,
             const GridFigures& grid);
 
+/// Of flat bodies: the load over the nominal area, that of the grid [Pa].
+inline double mean_pressure(const Grid& grid, const Contact& contact) {
+  return contact.load / (grid.size_x() * grid.size_y());
+}
+
 /// NAME_error of each quantity that is recorded.
 void record(Attributes& attributes, const GridErrors& errors);
 

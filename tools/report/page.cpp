@@ -80,6 +80,7 @@ std::string tiles(const Content& c) {
   constexpr struct {
     const char *attribute, *label, *unit;
   } wanted[] = {{"contact_load", "load", "N"},
+                {"contact_mean_pressure", "mean pressure", "Pa"},
                 {"contact_max_pressure", "maximum pressure", "Pa"},
                 {"contact_area", "real contact area", "m2"},
                 {"stress_max_von_mises", "largest von Mises stress", "Pa"},
