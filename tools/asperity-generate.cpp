@@ -65,6 +65,13 @@ void draw(cli::Tool& tool, const cli::GenerateOptions& o, cli::SurfaceKernel ker
   surfaces.finish();
 }
 
+// Whether nobody chose the model, so that a first contact would have no slopes to resolve.
+bool has_default_model(const cli::Tool& tool, const cli::GenerateOptions& options, const Attributes& kernel) {
+  const bool solved = !options.target_option(tool).empty();
+  const bool chosen = tool.given("--model") || tool.given("--cutoff");
+  return solved && !chosen && kernel.text("kernel_target") == "exponential";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -87,7 +94,12 @@ int main(int argc, char** argv) {
         options.adds("noise") ? "kernel heights generate_* noise" : "kernel heights generate_*");
 
     const cli::Exit code = kernel.code;
+    const bool by_default = has_default_model(tool, options, kernel.data.attributes);
     draw(tool, options, std::move(kernel), heights);
+    if (by_default)
+      tool.note(
+          "drew the exponential --model, the default, whose slopes grow with every finer grid; for a "
+          "contact choose gaussian, matern with --smoothness 2, or --periodic with a --cutoff");
     return code;
   });
 }

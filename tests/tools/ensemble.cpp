@@ -9,7 +9,7 @@ using namespace asperity::test;
 namespace {
 
 std::string draw(const std::string& shape, const std::string& size, const std::string& name) {
-  return "asperity-generate --add kernel --rq 0.4um --length 50um --seed 7 --shape " + shape + " --size " +
+  return "asperity-generate -q --add kernel --rq 0.4um --length 50um --seed 7 --shape " + shape + " --size " +
          size + " -o " + name + " && ";
 }
 
