@@ -1,4 +1,4 @@
-// Tests whether surfaces have the prescribed rms height, skewness, kurtosis, autocorrelation and lengths.
+// Tests whether surfaces have the prescribed heights, slopes, autocorrelation and lengths.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -114,6 +114,10 @@ void add(const cli::Tool& tool, const Dataset& data, const std::string& variable
   test.add(heights, grid);
 }
 
+std::string unit_of(const std::string& quantity) {
+  return quantity == "Sq" ? "m" : quantity == "summit_density" ? "m-2" : "1";
+}
+
 cli::Table table_of_results(const std::vector<TestResult>& results, double significance) {
   auto verdict = [](double p, double level) { return p <= level ? "differs" : "agrees"; };
   cli::Table out{{{"quantity", ""},
@@ -131,8 +135,8 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
   for (const TestResult& c : results) {
     if (c.p_is_bound) out.bounds.insert({out.rows.size(), p});
     const std::string lag = "(" + std::to_string(c.lag_x) + "," + std::to_string(c.lag_y) + ")";
-    out.rows.push_back({c.quantity == "ACF" ? "ACF" + lag : c.quantity, c.quantity == "Sq" ? "m" : "1",
-                        c.prescribed, c.mean, c.standard_error, c.z, c.p, verdict(c.p, level)});
+    out.rows.push_back({c.quantity == "ACF" ? "ACF" + lag : c.quantity, unit_of(c.quantity), c.prescribed,
+                        c.mean, c.standard_error, c.z, c.p, verdict(c.p, level)});
   }
   const double joint = joint_p(results);
   if (most->p_is_bound && joint < 1) out.bounds.insert({out.rows.size(), p});
@@ -174,11 +178,13 @@ void document(cli::Tool& tool) {
 int main(int argc, char** argv) {
   cli::Tool tool(
       "asperity-validate",
-      "Tests whether one or more surfaces have the prescribed rms height, skewness, kurtosis, "
-      "autocorrelation and lengths. Each row shows a quantity: its prescribed value, the mean over the "
-      "surfaces with its "
+      "Tests whether one or more surfaces have the prescribed rms height, skewness, kurtosis, rms slope, "
+      "density of summits, autocorrelation and lengths. Each row shows a quantity: its prescribed value, the "
+      "mean over the surfaces with its "
       "standard error, their difference z in standard errors, the p-value, and the verdict at --significance "
-      "shared among the rows. The ACF is tested over all its lags in one row, which shows the lag (x, y in "
+      "shared among the rows. Sdq and summit_density are prescribed by the autocorrelation at lags up to 2 "
+      "samples, as differences on this grid show them; without a prescribed rms height, or without these "
+      "lags, they are left out. The ACF is tested over all its lags in one row, which shows the lag (x, y in "
       "samples) of the largest deviation. The lengths of the ACF are tested together in the next row, as "
       "factors of the prescribed ones: it shows that along x (length_x), along y (length_y), the mean of "
       "both "

@@ -54,7 +54,8 @@ SlopeParameters slope_parameters(const Field& z, const Grid& grid, int threads) 
   });
   if (!(sums[2].count > 0)) throw DataError("heights", "slopes need 2 x 2 points, none of them missing");
   return {.sdq = std::sqrt(mean_of(sums[0]) / (grid.dx * grid.dx) + mean_of(sums[1]) / (grid.dy * grid.dy)),
-          .sdr = mean_of(sums[2])};
+          .sdr = mean_of(sums[2]),
+          .cells = sums[2].count};
 }
 
 // ---- the slope of the surface between the points ----

@@ -53,6 +53,7 @@ namespace asperity {
 struct SlopeParameters {
   double sdq = NAN;  ///< [m/m]
   double sdr = NAN;  ///< share of the plan area
+  double cells = 0;  ///< with all corners
 };
 
 /// Throws DataError("heights", …) without a cell of 2 × 2 measured points.

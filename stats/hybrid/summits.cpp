@@ -181,7 +181,8 @@ CountedSummits counted_summits(const Field& z, const Grid& grid, double rounding
   out.count = sums[heights].count;
   out.plateaus = sums[plateaus].count;
   if (out.plateaus > 0) out.width = std::sqrt(mean_of(sums[plateaus]));
-  out.density = out.count / (sums[neighbourhoods].count * grid.cell_area());
+  out.points = sums[neighbourhoods].count;
+  out.density = out.count / (out.points * grid.cell_area());
   if (out.count == 0) return out;
   out.mean_height = mean_of(sums[heights]);
   out.height_deviation = std::sqrt(std::max(0.0, mean_of(sums[squares]) - out.mean_height * out.mean_height));

@@ -65,6 +65,7 @@ struct Summits {
 
 struct CountedSummits : Summits {
   double count = 0;
+  double points = 0;    ///< with all eight neighbours
   double plateaus = 0;  ///< among them, of two points or more
   double width = 0;     ///< √ of the mean number of points of a plateau
 };

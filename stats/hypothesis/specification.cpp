@@ -8,11 +8,13 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
+#include "marginal/correlation_map.hpp"
 #include "marginal/prescribed.hpp"
 #include "stats/hypothesis/gaussianity.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/spatial/acf.hpp"
+#include "stats/uncertainty/translation_error.hpp"
 
 namespace asperity {
 namespace {
@@ -23,6 +25,7 @@ constexpr double patches_per_degree = 10;  // of the t law whose tails the figur
 constexpr double patches_of_stretch = 4;   // the same: a stretch rests on more waves than S_2 counts
 // Sku's third cumulant overstates: of n independent heights Fisher's has this skewness at most.
 constexpr double most_skewed = 1.6;
+constexpr double most_error_of_share = 0.5;  // of summits
 
 // By the smaller of the tails.
 double normal_score(const StudentTails& tails) {
@@ -89,13 +92,18 @@ SpecificationTest::SpecificationTest(const Specification& asked, const Grid& gri
   stretch_.emplace(asked_.correlation, grid, longest_lag(asked_.correlation, grid));
   complete_ = theory_of(grid);
   choose_stretches();
+  slopes_ = PrescribedSlopes(asked_.correlation, grid);
   if (!asked_.gaussian()) {
-    const PrescribedHeights heights{asked_.ssk, asked_.sku, InfeasiblePolicy::nearest};
-    simulation_ = std::make_shared<Simulation>(Simulation{
-        RandomFields({.grid = grid, .correlation = asked_.correlation, .translation = heights.translation()},
-                     asked_.seed)});
+    const Translation heights =
+        PrescribedHeights{asked_.ssk, asked_.sku, InfeasiblePolicy::nearest}.translation();
+    simulation_ = std::make_shared<Simulation>(Simulation{RandomFields(
+        {.grid = grid, .correlation = asked_.correlation, .translation = heights}, asked_.seed)});
+    slopes_.set_summits(underlying_correlation(asked_.correlation.within({2, 2}), CorrelationMap(heights)),
+                        grid);
     return;
   }
+  slopes_.set_summits(asked_.correlation, grid);
+  slopes_.draw_summits(asked_.correlation, grid, asked_.threads, asked_.seed);
   total_.shape_variances = total_.shape_biases = Eigen::ArrayXd::Zero(complete_.shape_variances.size());
   const LagField& rho = asked_.correlation;
   const double cells = static_cast<double>(grid_.shape.cells());
@@ -171,7 +179,7 @@ SpecificationTest::Theory SpecificationTest::theory_of(const Pairs& pairs) const
 }
 
 Eigen::ArrayXd SpecificationTest::measured(const Field& z, const Pairs& pairs, const Theory& theory,
-                                           int threads, double step) const {
+                                           const GridSlopes& slopes, int threads, double step) const {
   const Moments rounded = moments(z), m = step > 0 ? before_rounding(rounded, step) : rounded;
   if (!(m.sq > 0))
     throw DataError("heights", "they stand on steps of " + in_digits(step / rounded.sq, 3) +
@@ -179,14 +187,33 @@ Eigen::ArrayXd SpecificationTest::measured(const Field& z, const Pairs& pairs, c
   LagField acf = estimate_autocorrelation(
       z, pairs, {.max_lag = longest_lag(asked_.correlation, grid_), .threads = threads});
   if (step > 0) acf = without_rounding_at_zero(acf, step);
-  const double w = theory.mean_powers(1), variance = acf(0, 0) / (1 - w);
-  const Index shapes = theory.shape_variances.size();
-  Eigen::ArrayXd values(3 + shapes);
-  values.head<3>() << variance, m.ssk, m.sku;
-  for (Index i = 3; const auto& [lag, rho] : lags_) values(i++) = acf(lag.nx, lag.ny) - (rho - w) * variance;
-  values.tail(shapes - lags()) = theory.stretch(acf);
-  values.tail(shapes) = (theory.shape_variances > 0).select(values.tail(shapes), NAN);
+  const double w = theory.mean_powers(1), of_heights = acf(0, 0) / (1 - w);
+  const auto& [square, cells, share, points, plateaus] = before_steps(slopes, step, m.sq * m.sq);
+  const Index of_shape = theory.shape_variances.size();
+  Eigen::ArrayXd values(at_shapes + of_shape);
+  values.head<at_shapes>() << of_heights, m.ssk, m.sku, square, share;
+  for (Index i = at_shapes; const auto& [lag, rho] : lags_)
+    values(i++) = acf(lag.nx, lag.ny) - (rho - w) * of_heights;
+  values.tail(of_shape - lags()) = theory.stretch(acf);
+  values.tail(of_shape) = (theory.shape_variances > 0).select(values.tail(of_shape), NAN);
   return values;
+}
+
+GridSlopes SpecificationTest::slopes_of(const Field& z, int threads) const {
+  return std::isfinite(slopes_.square) ? grid_slopes(z, grid_, threads) : GridSlopes{};
+}
+
+// Rounding adds s²/12 to the variance of a height. It is independent of that of the next, to 2e-4, where
+// steps are below 1.5 rms differences.
+GridSlopes SpecificationTest::before_steps(GridSlopes slopes, double step, double variance) const {
+  constexpr double most_steps = 1.5, most_plateaus = 1e-3;
+  if (!(step > 0)) return slopes;
+  const LagField& rho = asked_.correlation;
+  const double difference = std::sqrt(2 * variance * (1 - std::max(rho(1, 0), rho(0, 1)))),
+               rounding = step * step / 6 * (1 / (grid_.dx * grid_.dx) + 1 / (grid_.dy * grid_.dy));
+  slopes.square = step < most_steps * difference ? slopes.square - rounding : NAN;
+  if (slopes.plateaus > most_plateaus) slopes.share = NAN;
+  return slopes;
 }
 
 void SpecificationTest::add(const Field& z, const Grid& grid) {
@@ -196,18 +223,35 @@ void SpecificationTest::add(const Field& z, const Grid& grid) {
     throw DataError("heights", "the grid differs from that of the first surface");
   const Pairs pairs = Pairs::of(z, grid_, asked_.threads);
   const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
-  const Eigen::ArrayXd values = measured(z, pairs, theory, asked_.threads, height_steps(z).step);
+  const GridSlopes slopes = slopes_of(z, asked_.threads);
+  const Eigen::ArrayXd values = measured(z, pairs, theory, slopes, asked_.threads, height_steps(z).step);
   ++surfaces_;
   if (simulation_) {
     observed_.push_back(shaped(values));
     count_missing(z);
     return;
   }
+  add_theory(theory, slopes, values);
+}
+
+void SpecificationTest::add_theory(const Theory& theory, const GridSlopes& slopes,
+                                   const Eigen::ArrayXd& values) {
   ensemble_.add(values);
   total_.mean_powers += theory.mean_powers;
   total_.sku_bias += theory.sku_bias;
   total_.shape_variances += theory.shape_variances;
   total_.shape_biases += theory.shape_biases;
+  const Eigen::Array2d points(slopes.cells, slopes.points);
+  const double all = static_cast<double>((grid_.shape.nx - 2) * (grid_.shape.ny - 2)),
+               share = slopes_.summits.value;
+  const bool scattered = slopes.points < all;
+  const Eigen::Array2d of_one(
+      slopes_.variance, share * (scattered ? std::max(slopes_.dispersion, 1 - share) : slopes_.dispersion));
+  for (const Index i : {0, 1}) {
+    if (!std::isfinite(values(at_sdq + i))) continue;
+    total_.slope_variances(i) += of_one(i) / points(i);
+    total_.slope_points(i) += points(i);
+  }
 }
 
 double SpecificationTest::score(double z, double skewness, double per_degree) const {
@@ -251,6 +295,34 @@ TestResult SpecificationTest::largest_result(const Together& of, Index first) co
   return out;
 }
 
+std::optional<TestResult> SpecificationTest::slope_by_theory() const {
+  const double variance = asked_.sq * asked_.sq, expected = variance * slopes_.square,
+               mean = ensemble_.mean()(at_sdq), count = ensemble_.count()(at_sdq);
+  if (!std::isfinite(expected) || !(count > 0)) return std::nullopt;
+  TestResult out{.quantity = "Sdq", .prescribed = std::sqrt(expected), .mean = std::sqrt(mean)};
+  const double error = variance * std::sqrt(total_.slope_variances(0)) / count;
+  out.standard_error = error / (2 * out.prescribed);
+  out.z = (mean - expected) / error;
+  const double skewness = slopes_.skewness / std::sqrt(total_.slope_points(0) / surfaces_);
+  out.p = two_sided(score(out.z, skewness, patches_per_degree));
+  return out;
+}
+
+// Counts are skewed as Poisson's: 1/√n, which is their relative error where φ is 1. A few tell nothing.
+std::optional<TestResult> SpecificationTest::summits_by_theory() const {
+  const auto& [share, of_lattice] = slopes_.summits;
+  const double mean = ensemble_.mean()(at_summits), count = ensemble_.count()(at_summits);
+  if (!(share > 0) || !(count > 0)) return std::nullopt;
+  const double error = std::hypot(std::sqrt(total_.slope_variances(1)) / count, of_lattice),
+               area = grid_.cell_area();
+  if (!(error < most_error_of_share * share)) return std::nullopt;
+  TestResult out{.quantity = "summit_density", .prescribed = share / area, .mean = mean / area};
+  out.standard_error = error / area;
+  out.z = (mean - share) / error;
+  out.p = two_sided(normal_score(student_tails(gamma_score(out.z, error / share), slopes_.drawn - 1)));
+  return out;
+}
+
 std::vector<TestResult> SpecificationTest::by_theory() const {
   std::vector<TestResult> out;
   const Eigen::ArrayXd mean = ensemble_.mean();
@@ -265,6 +337,8 @@ std::vector<TestResult> SpecificationTest::by_theory() const {
   out.push_back(result("Ssk", asked_.ssk, mean(1), std::sqrt(6 * mean_power(3)), 0));
   out.push_back(result("Sku", asked_.sku, sku, std::sqrt(24 * mean_power(4)), 0));
   out.back().p = two_sided(kurtosis_score(out.back().z, sku_skewness_ / std::sqrt(surfaces_)));
+  for (const auto& row : {slope_by_theory(), summits_by_theory()})
+    if (row) out.push_back(*row);
   if (!lags_.empty()) out.push_back(largest_result(acf_, 0));
   if (!lengths_.each.empty()) out.push_back(largest_result(lengths_, lags()));
   return out;

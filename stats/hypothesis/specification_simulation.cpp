@@ -35,6 +35,17 @@ TestResult row(const std::string& name, double prescribed, const ArrayXd& simula
   return out;
 }
 
+// Of a positive square, which is tested; its root is reported. `expected` is that of a surface of Sq 1.
+TestResult row_of_square(const std::string& name, double prescribed, double expected,
+                         const ArrayXd& simulated, const ArrayXd& observed) {
+  TestResult out = row(name, 1, simulated / expected, observed / expected);
+  out.p = p_of_skewed_mean(simulated, observed);
+  out.mean = prescribed * std::sqrt(observed.mean() / simulated.mean());
+  out.prescribed = prescribed;
+  out.standard_error *= prescribed / 2;
+  return out;
+}
+
 // Without skewness, in any translation that was tried.
 ArrayXd ssk_over_root_of_sku(const ArrayXXd& values) { return values.col(1) / values.col(2).sqrt(); }
 
@@ -82,7 +93,7 @@ void SpecificationTest::count_missing(const Field& z) {
 }
 
 Eigen::ArrayXd SpecificationTest::shaped(Eigen::ArrayXd measured) const {
-  measured.tail(measured.size() - 3) /= measured(0);
+  measured.tail(measured.size() - at_shapes) /= measured(at_variance);
   return measured;
 }
 
@@ -100,8 +111,10 @@ const Eigen::ArrayXXd& SpecificationTest::simulated() const {
     for (const Index end = done + each * of.surfaces; done < end;) {
       const Index count = std::min<Index>(std::max(1, asked_.threads), end - done);
       parallel_ranges(count, asked_.threads, [&](Index from, Index to, int) {
-        for (Index k = done + from; k < done + to; ++k)
-          s.values.row(k) = shaped(measured(s.fields.heights(k) + missing, pairs, theory, 1)).transpose();
+        for (Index k = done + from; k < done + to; ++k) {
+          const Field z = s.fields.heights(k) + missing;
+          s.values.row(k) = shaped(measured(z, pairs, theory, slopes_of(z, 1), 1)).transpose();
+        }
       });
       done += count;
       if (asked_.simulated) asked_.simulated(done, all);
@@ -111,25 +124,40 @@ const Eigen::ArrayXXd& SpecificationTest::simulated() const {
   return s.values;
 }
 
+std::vector<TestResult> SpecificationTest::slopes_by_simulation(const ArrayXXd& drawn,
+                                                                const ArrayXXd& observed) const {
+  auto known = [&](Index column) {
+    return drawn.col(column).isFinite().all() && observed.col(column).isFinite().all() &&
+           sample_deviation(drawn.col(column)) > 0;
+  };
+  std::vector<TestResult> out;
+  if (std::isfinite(asked_.sq) && known(at_sdq))
+    out.push_back(row_of_square("Sdq", asked_.sq * std::sqrt(slopes_.square), slopes_.square,
+                                drawn.col(at_sdq), observed.col(at_sdq) / (asked_.sq * asked_.sq)));
+  if (known(at_summits)) {
+    const double area = grid_.cell_area();
+    out.push_back(row("summit_density", slopes_.summits.value / area, drawn.col(at_summits) / area,
+                      observed.col(at_summits) / area));
+    out.back().p = p_of_mean(drawn.col(at_summits), observed.col(at_summits));
+  }
+  return out;
+}
+
 std::vector<TestResult> SpecificationTest::by_simulation() const {
   const ArrayXXd &drawn = simulated(), observed = rows_of(observed_);
   std::vector<TestResult> out;
-  if (std::isfinite(asked_.sq)) {  // tested as a variance, reported as an rms height
-    const ArrayXd variance = observed.col(0) / (asked_.sq * asked_.sq);
-    TestResult sq = row("Sq", 1, drawn.col(0), variance);
-    sq.p = p_of_skewed_mean(drawn.col(0), variance);
-    sq.prescribed = asked_.sq;
-    sq.mean = asked_.sq * std::sqrt(variance.mean() / drawn.col(0).mean());
-    sq.standard_error *= asked_.sq / 2;
-    out.push_back(sq);
-  }
-  out.push_back(row("Ssk", asked_.ssk, drawn.col(1), observed.col(1)));
+  if (std::isfinite(asked_.sq))
+    out.push_back(row_of_square("Sq", asked_.sq, 1, drawn.col(at_variance),
+                                observed.col(at_variance) / (asked_.sq * asked_.sq)));
+  out.push_back(row("Ssk", asked_.ssk, drawn.col(at_ssk), observed.col(at_ssk)));
   out.back().p = p_of_mean(ssk_over_root_of_sku(drawn), ssk_over_root_of_sku(observed));
-  out.push_back(row("Sku", asked_.sku, drawn.col(2), observed.col(2)));
-  out.back().p = p_of_skewed_mean(drawn.col(2), observed.col(2));
-  const Index stretches = drawn.cols() - 3 - lags();
+  out.push_back(row("Sku", asked_.sku, drawn.col(at_sku), observed.col(at_sku)));
+  out.back().p = p_of_skewed_mean(drawn.col(at_sku), observed.col(at_sku));
+  for (const TestResult& of_slopes : slopes_by_simulation(drawn, observed)) out.push_back(of_slopes);
+  const Index stretches = drawn.cols() - at_shapes - lags();
   if (!lags_.empty())
-    out.push_back(largest(acf_.each, drawn.middleCols(3, lags()), observed.middleCols(3, lags())));
+    out.push_back(
+        largest(acf_.each, drawn.middleCols(at_shapes, lags()), observed.middleCols(at_shapes, lags())));
   if (stretches > 0)
     out.push_back(largest(lengths_.each, drawn.rightCols(stretches), observed.rightCols(stretches)));
   return out;
