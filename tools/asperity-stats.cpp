@@ -90,26 +90,36 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const
 
 int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const cli::StatsOptions& options) {
   const MeasureOptions asked = options.checked(tool);
+  if (options.compare && surfaces.resolve(tool) == 1)
+    throw cli::UsageError("compare", "needs two surfaces or more, and there is one");
   EnsembleParameters mean;
+  std::optional<Parameters> first;
   Parameters last;
   Warnings warnings;
   surfaces.for_each(
       tool, [&](const cli::EnsembleMember& member) { return measured(tool, options, asked, member); },
       [&](Measured&& one, const std::string&) {
         warnings.add(one);
+        if (options.compare && !first) {
+          first = std::move(one.rows);
+          return;
+        }
         mean.add(one.rows);
         last = std::move(one.rows);
       },
       {.variable = options.field.variable});
   warnings.print(tool);
-  mean.surfaces() == 1 ? cli::print(tool, last) : cli::print(tool, cli::ensemble_table(mean));
+  if (first)
+    cli::print(tool, cli::comparison_table(compared(*first, mean, last)));
+  else
+    mean.surfaces() == 1 ? cli::print(tool, last) : cli::print(tool, cli::ensemble_table(mean));
   return cli::done;
 }
 
 void document(cli::Tool& tool) {
   tool.essential({"--parameters", "--profile", "--quantiles", "--material-ratio", "--sal-level",
-                  "--direction", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
-                  "--output"});
+                  "--direction", "--compare", "--variable", "--remove-form", "--lambda-s", "--lambda-c",
+                  "--json", "--output"});
   tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
 }
 
@@ -123,7 +133,7 @@ int main(int argc, char** argv) {
       "field. For several surfaces it prints the mean of each parameter, its standard error, its spread, and "
       "the spread expected from the errors of the single surfaces. All surfaces need the same spacing, "
       "because slopes, peaks and lengths depend on it; surfaces of different sizes are averaged with a "
-      "warning.");
+      "warning. With --compare it says in which parameters the first surface differs from the others.");
   cli::EnsembleInput surfaces;
   cli::StatsOptions options;
   surfaces.declare(tool);

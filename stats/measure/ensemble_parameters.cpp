@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "math/bracketed_root.hpp"
+#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
@@ -38,6 +42,90 @@ std::vector<EnsembleParameter> EnsembleParameters::all() const {
     }
     out.push_back(of);
   }
+  return out;
+}
+
+namespace {
+
+constexpr double comparison_level = 0.01;  // shared among the parameters
+
+// e and its degrees of freedom; NaN where there is none.
+struct KnownTo {
+  double error = unknown, degrees = unknown;
+};
+
+// Of which an interval of so many errors on either side is one of 95 %.
+double degrees_of(double errors) {
+  constexpr double fewest = 1, most = 1e4;
+  auto beyond = [&](double log) { return student_quantile(0.025, std::exp(log)) - errors; };
+  const CurvePoint few{std::log(fewest), beyond(std::log(fewest))},
+      many{std::log(most), beyond(std::log(most))};
+  return !(few.f > 0) ? fewest : !(many.f < 0) ? INFINITY : std::exp(bracketed_root(beyond, few, many, 1e-6));
+}
+
+// An interval is even in the value or in its logarithm: the one in which it is shorter.
+KnownTo known_to(const Parameter& p) {
+  const Interval ends = p.interval_95();
+  if (!(p.standard_error > 0) || p.is_bound || !std::isfinite(ends.high - ends.low)) return {};
+  double width = ends.high - ends.low;
+  if (ends.low > 0) width = std::min(width, p.value * std::log(ends.high / ends.low));
+  return {p.standard_error, degrees_of(width / 2 / p.standard_error)};
+}
+
+KnownTo known_to(const EnsembleParameter& p) {
+  if (p.is_bound || !(p.spread > 0)) return {};
+  return {p.standard_error(), p.surfaces - 1};
+}
+
+// Welch's, where the errors are known apart.
+double common_degrees(const KnownTo& x, const KnownTo& y) {
+  const double square_x = x.error * x.error, square_y = y.error * y.error, sum = square_x + square_y;
+  return sum * sum / (square_x * square_x / x.degrees + square_y * square_y / y.degrees);
+}
+
+void judge(ComparedParameter& c, const KnownTo& x, const KnownTo& y, double degrees) {
+  const double apart = c.others - c.first;
+  c.z = (c.unit == "rad" ? std::remainder(apart, std::numbers::pi) : apart) / std::hypot(x.error, y.error);
+  c.p = std::isfinite(c.z) ? 2 * student_tails(std::abs(c.z), degrees).above : unknown;
+}
+
+// It has no Student's t.
+bool is_p_value(const Parameter& p) { return p.unit == "1" && p.name.ends_with("_p"); }
+
+// Of one other, `y` is that.
+void judge(ComparedParameter& c, const Parameter& x, const Parameter* y, const EnsembleParameter& others) {
+  const KnownTo of_x = known_to(x), of_y = y ? known_to(*y) : known_to(others);
+  const bool alike = std::isnan(of_x.error) && !y && !x.is_bound && !is_p_value(x);
+  const KnownTo taken = alike ? KnownTo{others.spread, of_y.degrees} : of_x;
+  c.first_error = taken.error, c.others_error = of_y.error;
+  judge(c, taken, of_y, alike ? of_y.degrees : common_degrees(of_x, of_y));
+}
+
+}  // namespace
+
+std::vector<ComparedParameter> compared(const Parameters& first, const EnsembleParameters& others,
+                                        const Parameters& other) {
+  std::vector<ComparedParameter> out;
+  const auto among = [](const auto& all, const std::string& name) {
+    const auto found = std::ranges::find(all, name, [](const auto& one) { return one.name; });
+    return found == all.end() ? nullptr : &*found;
+  };
+  const std::vector<EnsembleParameter> means = others.all();
+  for (const EnsembleParameter& y : means) {
+    const Parameter *x = among(first, y.name),
+                    *alone = others.surfaces() == 1 ? among(other, y.name) : nullptr;
+    ComparedParameter c{.name = y.name,
+                        .unit = y.unit,
+                        .first = x ? x->value : unknown,
+                        .others = y.mean,
+                        .number = y.surfaces};
+    if (x) judge(c, *x, alone, y);
+    out.push_back(c);
+  }
+  for (const Parameter& x : first)
+    if (!among(means, x.name)) out.push_back({.name = x.name, .unit = x.unit, .first = x.value});
+  const auto judged = std::ranges::count_if(out, [](const auto& c) { return std::isfinite(c.p); });
+  for (ComparedParameter& c : out) c.differs = c.p <= comparison_level / static_cast<double>(judged);
   return out;
 }
 

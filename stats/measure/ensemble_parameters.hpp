@@ -1,4 +1,5 @@
-/// The parameters of an ensemble: mean, spread and standard error over the surfaces that have them.
+/// The parameters of an ensemble: mean, spread and standard error over the surfaces that have them; and how
+/// far they are from those of another surface.
 ///
 /// The expected spread is the rms of the standard errors of the single surfaces. If the spread differs from
 /// it by more than its own relative error, 1/√(2(n-1)), the surfaces differ in kind or are not Gaussian.
@@ -6,6 +7,20 @@
 /// Directions [rad] are those of axes, with a period of half a turn: with C the mean of exp(2iθ) their mean
 /// is ½ arg C and their spread ½ √(-2 ln |C|), with n - 1 in place of n as for other parameters.
 ///
+/// A parameter of one surface, x, and the mean y of n others differ by
+///     z = (y - x)/√(e_x² + e_y²)                                                                      (1)
+/// standard errors. e_x, and e_y of one other, are theory's, with the degrees of freedom ν of the Student's
+/// t that gives their 95 % intervals; of several others e_y is spread/√n, ν = n - 1. z is judged by
+/// Student's t of Welch's 1/ν = (e_x⁴/ν_x + e_y⁴/ν_y)/(e_x² + e_y²)². Where theory gives no e_x, it is the
+/// spread of the others, x being one more of them, and ν = n - 1; of a single other, and of p-values, there
+/// is no z then. Of K parameters with a z those with p ≤ 0.01/K differ (Bonferroni).
+///
+/// Scope     Independent surfaces. Of a surface before and after a filter most of the errors are common: what
+///           differs by (1) does so all the more, and what agrees may differ.
+/// Accuracy  Of 400 pairs of one model, 128 × 128 points, known or estimated correlations, K = 28 to 31,
+///           one had a parameter that differs; of 100 surfaces against four others each, K = 51, two.
+///
+/// B. L. Welch, Biometrika 34 (1947) 28-35.
 /// K. V. Mardia, P. E. Jupp, Directional Statistics (Wiley 2000), 2.3.
 #pragma once
 
@@ -43,5 +58,17 @@ class EnsembleParameters {
   std::vector<Quantity> quantities_;
   int surfaces_ = 0;
 };
+
+struct ComparedParameter {
+  std::string name, unit;
+  double first = unknown, first_error = unknown;    ///< x, e_x
+  double others = unknown, others_error = unknown;  ///< y, e_y
+  double number = 0;                                ///< of the others that have it
+  double z = unknown, p = unknown;                  ///< (1); unknown without both errors
+  bool differs = false;
+};
+/// All that the first or the others have. `other` is the one that `others` holds, where it holds one.
+std::vector<ComparedParameter> compared(const Parameters& first, const EnsembleParameters& others,
+                                        const Parameters& other);
 
 }  // namespace asperity

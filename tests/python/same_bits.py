@@ -39,6 +39,13 @@ class SameBits(support.TestCase):
                                              [float(n) for n in numbers], name)
             self.assertEqual((table.loc[name, "unit"], table.loc[name, "meaning"]), (unit, meaning))
 
+    def test_a_comparison_is_a_table_of_two_surfaces(self):
+        one, other = (asp.generate(**{**SURFACE, "seed": seed}) for seed in (7, 8))
+        table = asp.stats([one, other], compare=True)
+        self.assertEqual(table.loc["Sq", "first"], asp.stats(one).loc["Sq", "value"])
+        self.assertEqual(table.loc["Sq", "others"], asp.stats(other).loc["Sq", "value"])
+        self.assertEqual((table.loc["Sq", "verdict"], table.loc["N", "verdict"]), ("agrees", "unknown"))
+
     def test_an_ensemble_is_the_shells_however_many_processes_draw_it(self):
         for processes in (1, 3):
             drawn = list(asp.ensemble(**SURFACE, count=3, first=2, processes=processes))

@@ -71,6 +71,77 @@ TEST_CASE("of several surfaces asperity-stats gives mean, spread and standard er
   CHECK(value_in(all, "Sq", "surfaces") == 8);
 }
 
+// z by its definition; of two by theory, of more by the spread. Twice the height is 40 errors, and nothing else.
+TEST_CASE("asperity-stats --compare marks what differs, by errors of both", "[stats-tool][compare][law]") {
+  write_surfaces(8);
+  auto z_of = [](const Json& t, const std::string& quantity) {
+    auto at = [&](const char* column) { return value_in(t, quantity, column); };
+    return (at("others") - at("first")) / std::hypot(at("first_error"), at("others_error"));
+  };
+  const Json one = json_of("asperity-stats g_0.nc"), other = json_of("asperity-stats g_1.nc");
+  const Json two = json_of("asperity-stats g_0.nc g_1.nc --compare");
+  const Json mean = json_of("asperity-stats g_[1-7].nc"), all = json_of("asperity-stats g_?.nc --compare");
+  for (const std::string quantity : {"Sq", "Ssk"}) {
+    CHECK(value_in(two, quantity, "first_error") == one[quantity]["standard_error"]);
+    CHECK(value_in(two, quantity, "others_error") == other[quantity]["standard_error"]);
+    CHECK(value_in(all, quantity, "others_error") == value_in(mean, quantity, "standard_error"));
+    for (const Json& table : {two, all})
+      CHECK(std::abs(value_in(table, quantity, "z") - z_of(table, quantity)) <= 1e-12);
+  }
+  CHECK(two["verdict"]["values"].dump().find("differs") == std::string::npos);
+  CHECK(all["verdict"]["values"].dump().find("differs") == std::string::npos);
+
+  REQUIRE(shell("asperity-filter g_1.nc --scale 2 -q -o twice.nc").exit == 0);
+  const Json marked = json_of("asperity-stats g_0.nc twice.nc --compare");
+  for (std::size_t row = 0; row < marked["quantity"]["values"].size(); ++row) {
+    const std::string name = marked["quantity"]["values"][row], verdict = marked["verdict"]["values"][row];
+    CAPTURE(name);
+    CHECK(verdict == (name == "Sa" || name == "Sq"           ? "differs"
+                      : marked["z"]["values"][row].is_null() ? "unknown"
+                                                             : "agrees"));
+  }
+}
+
+// Sv, which theory leaves without an error, is compared with that of one twin more:
+// z = Δ/(s √(1 + 1/20)). A scratch of 12 Sq is far below all valleys of twins, which are of 4; Sp has none.
+TEST_CASE("what theory gives no error is compared with the spread of twins, and of two surfaces not at all",
+          "[stats-tool][compare][statistics]") {
+  write_surfaces(21);
+  Dataset data = read_dataset("g_0.nc");
+  Field scratched = field_of(data, "heights");
+  scratched.block(20, 10, 1, 3).setConstant(-5e-6);
+  data.find("heights")->values = std::vector<double>(scratched.data(), scratched.data() + scratched.size());
+  write_dataset(data, "scratched.nc");
+  const Json twins = json_of("asperity-stats g_[1-9].nc g_1?.nc g_20.nc");
+  const Json table = json_of("asperity-stats scratched.nc g_[1-9].nc g_1?.nc g_20.nc --compare");
+  const double apart = value_in(table, "Sv", "others") - value_in(table, "Sv", "first"),
+               z = apart / (value_in(twins, "Sv", "spread") * std::sqrt(1 + 1 / 20.0));
+  CHECK(std::abs(value_in(table, "Sv", "z") / z - 1) <= 1e-10);
+  const auto verdict = [](const Json& of, const std::string& quantity) {
+    const Json& names = of["quantity"]["values"];
+    const auto row =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), quantity) - names.begin());
+    return of["verdict"]["values"].at(row).get<std::string>();
+  };
+  CHECK(verdict(table, "Sv") == "differs");
+  CHECK(verdict(table, "Sp") == "agrees");
+  CHECK(verdict(table, "N") == "unknown");
+  const Json two = json_of("asperity-stats scratched.nc g_1.nc --compare --errors theory");
+  CHECK(verdict(two, "Sv") == "unknown");
+}
+
+// Two lays, at 89° and at -89°, which are 2° apart, and one at 45°.
+TEST_CASE("directions are compared as axes", "[stats-tool][compare][statistics]") {
+  const std::string draw = "asperity-generate -q --shape 96x96 --size 1mm --rq 0.4um --length 120um,12um ";
+  REQUIRE(shell(draw + "--angle 89deg --seed 1 -o a.nc && " + draw + "--angle -89deg --seed 2 -o b.nc && " +
+                draw + "--angle 45deg --seed 3 -o c.nc")
+              .exit == 0);
+  CHECK(std::abs(value_in(json_of("asperity-stats a.nc b.nc --compare --parameters spatial"),
+                          "gamma_direction", "z")) <= 4);
+  const Json turned = json_of("asperity-stats a.nc c.nc --compare --parameters spatial");
+  CHECK(value_in(turned, "gamma_direction", "p") <= 1e-4);
+}
+
 // Directions on either side of 90°, which is -90°, averaged to -22°.
 TEST_CASE("the mean of directions over an ensemble is that of axes, the same after half a turn",
           "[ensemble][statistics]") {

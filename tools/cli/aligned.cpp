@@ -137,7 +137,10 @@ std::size_t place_of(const Table& table, std::string_view name) {
 
 // Of each row with a unit of its own, for its columns in "SI".
 std::vector<Scale> scales_of_rows(const Table& table) {
-  const std::size_t units = place_of(table, "unit"), errors = place_of(table, "standard_error");
+  const std::size_t units = place_of(table, "unit");
+  const auto errors = static_cast<std::size_t>(
+      std::ranges::find_if(table.columns, [](const Column& c) { return c.name.ends_with("_error"); }) -
+      table.columns.begin());
   std::vector<Scale> out;
   if (units == table.columns.size()) return out;
   for (const auto& row : table.rows) {

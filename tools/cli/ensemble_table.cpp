@@ -47,6 +47,26 @@ Table ensemble_table(const EnsembleParameters& parameters) {
   return out;
 }
 
+Table comparison_table(const std::vector<ComparedParameter>& parameters) {
+  Table out{{{"quantity", ""},
+             {"unit", ""},
+             {"first", "SI", Holds::unknown},
+             {"first_error", "SI", Holds::unknown},
+             {"others", "SI", Holds::unknown},
+             {"others_error", "SI", Holds::unknown},
+             {"surfaces", "1"},
+             {"z", "1", Holds::unknown},
+             {"p", "1", Holds::unknown},
+             {"verdict", ""}},
+            {}};
+  for (const ComparedParameter& c : parameters)
+    out.rows.push_back({c.name, c.unit, c.first, c.first_error, c.others, c.others_error, c.number, c.z, c.p,
+                        std::isnan(c.p) ? "unknown"
+                        : c.differs     ? "differs"
+                                        : "agrees"});
+  return out;
+}
+
 // Coordinates of grids that agree to six digits do too.
 void EnsembleTable::check_keys(const Table& table, const std::string& file) const {
   constexpr double printed = 1e-6;

@@ -22,6 +22,8 @@ namespace asperity::cli {
 // ---- a row for each parameter ----
 
 Table ensemble_table(const EnsembleParameters& parameters);
+/// The verdict is "differs", "agrees", or "unknown" without an error.
+Table comparison_table(const std::vector<ComparedParameter>& parameters);
 
 // ---- the rows of one surface, averaged ----
 

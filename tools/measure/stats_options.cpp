@@ -27,6 +27,17 @@ std::vector<double> shares(const std::string& list) {
   return out;
 }
 
+void comparison_option(Tool& tool, bool& compare) {
+  tool.flag("--compare", compare,
+            "Compare the first INPUT with the others. A row for each parameter: value and standard error of "
+            "both, their difference z in these errors, its p-value, and \"differs\" where p is at most 0.01, "
+            "shared among the rows. Of several others the mean counts, with its error by their spread, which "
+            "is also the first one's error where theory gives none. Without an error the verdict is "
+            "\"unknown\". Surfaces that depend on each other, as before and after a filter, have most of the "
+            "errors in common: what differs does so all the more, and \"agrees\" tells little",
+            "Parameters");
+}
+
 }  // namespace
 
 void StatsOptions::declare(Tool& tool) {
@@ -62,6 +73,7 @@ void StatsOptions::declare(Tool& tool) {
       "where simulations confirm it, else twins, for one surface where they take about two seconds",
       "Parameters");
   direction_option(tool, direction, "Parameters");
+  comparison_option(tool, compare);
 }
 
 MeasureOptions StatsOptions::checked(const Tool& tool) const {
@@ -71,6 +83,7 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
   out.profiles = profile == "y" ? Axis1D::y : Axis1D::x;
   out.threads = tool.thread_count();
   check_belonging(tool, out.groups);
+  if (compare && errors == "none") throw UsageError("compare", "needs errors; --errors none gives none");
   if (!direction.empty()) out.direction = {parse_angle("direction", direction), direction};
   if (!profile.empty()) {
     out.groups = {Group::profiles};

@@ -15,6 +15,7 @@ struct StatsOptions {
   std::string quantiles = {}, direction = {};
   MeasureOptions measured = {};  ///< those that need no further parsing
   std::string errors = "auto";
+  bool compare = false;      ///< the first surface with the others
   std::string profile = {};  ///< x or y: profile parameters instead of areal ones
 
   void declare(Tool& tool);
