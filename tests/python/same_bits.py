@@ -6,7 +6,7 @@ import json
 import subprocess
 
 import support
-from support import STEEL, STEEL_WORDS, SURFACE, SURFACE_WORDS, shell
+from support import DATA, STEEL, STEEL_WORDS, SURFACE, SURFACE_WORDS, other_reader, shell
 
 import numpy
 import asperity as asp
@@ -52,6 +52,23 @@ class SameBits(support.TestCase):
             for k, surface in enumerate(drawn, 2):
                 words = SURFACE_WORDS.replace("--seed 7", f"--first {k} --seed 7")
                 self.assert_same_bits(surface, shell(f"asperity-generate {words}")[0])
+
+    # The table of asperity.acf(taper=True) has all that twins are drawn with.
+    def test_twins_are_the_shells_whatever_the_map_comes_as(self):
+        map_of_file = str(DATA / "profiler-96x96.x3p")
+        shells = other_reader(shell(f"asperity-generate --like {map_of_file} --remove-form plane --seed 1")[0])[0]
+        read = asp.convert(map_of_file)
+        array = asp.dataset(read.heights.values, size=asp.si((read.x.length, read.y.length)))
+        for one in (map_of_file, DATA / "profiler-96x96.x3p", (DATA / "profiler-96x96.x3p").read_bytes(), read,
+                    read.heights, read.heights.transpose("y", "x"), array):
+            twin = asp.generate(like=one, remove_form="plane", seed=1)
+            self.assertEqual(twin.heights.values.tobytes(), shells["heights"][0].astype("f8").tobytes())
+        level = asp.generate(**SURFACE)
+        twin = asp.generate(like=level, seed=1)
+        for again in (asp.generate(acf=asp.acf(level, taper=True), seed=1),
+                      asp.pipe(level, asp.acf(taper=True), asp.stage.generate(acf="-", seed=1)),
+                      next(asp.ensemble(like=level, seed=1, count=2))):
+            self.assertEqual(again.heights.values.tobytes(), twin.heights.values.tobytes())
 
     def test_a_number_is_the_quantity_in_si(self):
         one = asp.generate(**{**SURFACE, "size": asp.si((1e-3, 6e-4)), "rq": asp.si(numpy.float64(4e-7)),

@@ -147,6 +147,28 @@ class Datasets(support.TestCase):
         self.assertEqual(asp.plot(sweep, kind="sweep").media, "image/png")
 
 
+    def test_a_map_of_which_twins_are_drawn_is_understood_or_refused_in_one_line(self):
+        one = surface()
+        masked = asp.dataset(numpy.ma.masked_greater(HEIGHTS, 1.5e-6), size="3mm,4mm")
+        twin = asp.generate(like=masked, seed=1)
+        self.assertEqual((dict(twin.sizes)["x"], dict(twin.sizes)["y"], int(twin.heights.isnull().sum())), (12, 16, 0))
+        named = asp.generate(like=one.heights.rename("topography"), variable="topography", seed=1)
+        self.assertTrue((named.heights == asp.generate(like=one, seed=1).heights).all())
+        self.assertRaisesRegex(asp.BadData, "^asperity-generate: like: heights is missing; the dataset has x, y, topo",
+                               asp.generate, like=one.heights.rename("topography"))
+        flat = asp.dataset(HEIGHTS * 0, size="3mm,4mm")
+        for wrong, kind, words in (
+                ([one, one], TypeError, "^like=<list>: the name of a file, a Dataset"),
+                (asp.filter(median="3px"), TypeError, "^like=<stage: asperity-filter --median 3px>"),
+                (3, TypeError, "^like=3: the name of a file"), (flat, asp.BadData, "like: heights: every value is"),
+                (HEIGHTS, asp.BadData, "like: .* size"), ("nowhere.x3p", asp.ToolError, "nowhere.x3p: No such file")):
+            self.assertRaisesRegex(kind, words, asp.generate, like=wrong)
+        self.assertRaisesRegex(TypeError, "^asperity-generate takes no dataset: it is given as acf= or .*like=$",
+                               asp.generate, one)
+        self.assertRaisesRegex(asp.UsageError, "--acf cannot be combined with --like", asp.generate, like=one, acf=one)
+        self.assertRaisesRegex(asp.UsageError, "--variable needs --like", asp.generate, **SURFACE, variable="heights")
+
+
 class Words(support.TestCase):
     tools_may_warn = True
 

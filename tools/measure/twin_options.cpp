@@ -46,7 +46,7 @@ void add_tapered_acf(const Tool& tool, const std::string& map, Dataset& data, Su
 
 void TwinOptions::declare(Tool& tool) {
   tool.text(
-      "--like", like, "MAP",
+      "--like", like, "FILE",
       "Draw twins of this surface, of any format: surfaces of its size and spacing with its autocorrelation "
       "(asperity-acf --taper), and its distribution of heights if that evidently is not Gaussian. A twin is "
       "homogeneous and without phase: it has the spectrum of scratches and feed marks, not the marks; "

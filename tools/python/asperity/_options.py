@@ -137,10 +137,19 @@ def _words_of(option, name, value):
     return out
 
 
+def _is_data(option):
+    """Whether it names data that may be given in place of a file."""
+    return option["kind"] in ("FILE", "NAME|FILE") and option["name"] != "output"
+
+
+def data_options(about):
+    return " or ".join(f"{name}=" for name, option in about["parameters"].items() if _is_data(option))
+
+
 def _file(option, name, value):
     if _data.is_name(value):
         return os.fspath(value)
-    if option["kind"] not in ("FILE", "NAME|FILE") or option["name"] == "output":
+    if not _is_data(option):
         raise TypeError(f"{name}={brief(value)}: the name of a file is needed")
     return _data.source(value, name)
 

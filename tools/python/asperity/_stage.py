@@ -22,7 +22,7 @@ class Stage:
         if given and not self.surfaces:
             raise TypeError(f"{self.tool}: the list of datasets is empty")
         if self.surfaces and not about["inputs"]:
-            raise TypeError(f"{self.tool} takes no dataset; a kernel is given by kernel=")
+            raise TypeError(f"{self.tool} takes no dataset: it is given as {_options.data_options(about)}")
         if len(self.surfaces) > 1 and not about["inputs"][0]["repeated"]:
             raise TypeError(f"{self.tool} takes one dataset, not {len(self.surfaces)}")
 
