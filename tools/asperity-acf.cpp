@@ -80,7 +80,7 @@ void warn_of_lengths(const cli::Tool& tool, const Options& what, const Parameter
     if (std::ranges::find(lengths, "gamma_" + level.tag, &Parameter::name) == lengths.end())
       tool.warn("in some direction the ACF does not fall to " + level.text +
                 " within the lags; increase --max-lag");
-  if (estimate != nullptr) warn_of_few(tool, estimate->size);
+  if (estimate != nullptr && !what.tapered) warn_of_few(tool, estimate->size);
   for (const Parameter& row : lengths)
     if (row.name.starts_with("length_") && !cli::warn_of_length(tool, row.name, row.value, grid)) break;
 }

@@ -123,7 +123,7 @@ class KernelSolver {
     if (!best_) return "; nothing close to it was found";
     return "; the closest one found changes it by " + number(best_->report.residual) +
            " of the variance, more than " + number(bound()) + " (see `infeasible`, `acf-tolerance`" +
-           (problem_.request.target.known ? "; a biased estimate is always a valid one)" : ")");
+           (problem_.request.target.known ? "; that of a tapered field is always met)" : ")");
   }
 
   void complete(KernelReport& report) const {

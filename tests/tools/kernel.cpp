@@ -213,7 +213,7 @@ TEST_CASE("a table under noise is refused or not converged, by its error over al
     rows += "\n";
   }
   write_text("noisy.txt", rows);
-  check_kernel_refused("asperity-kernel -q --acf noisy.txt", 4, "a biased estimate");
+  check_kernel_refused("asperity-kernel -q --acf noisy.txt", 4, "a tapered field");
   const Outcome run = shell("asperity-kernel -q --acf noisy.txt --infeasible nearest -o noisy.nc");
   CAPTURE(run.error);
   CHECK(run.exit == 3);

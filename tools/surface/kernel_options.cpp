@@ -74,7 +74,8 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
       group);
   tool.number("--acf-tolerance", request.acf_tolerance,
               "Largest error of the ACF over all lags, as a share of the variance; if no kernel has the "
-              "prescribed lags, their largest change; 0.01 of a map's (--like, asperity-acf --taper). Above it the exit status is 3, except that an error "
+              "prescribed lags, their largest change; 0.01 of a map's (--like, asperity-acf --taper). Above "
+              "it the exit status is 3, except that an error "
               "beyond the given --lags only causes a warning",
               group);
   tool.choice(
@@ -266,8 +267,8 @@ void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& optio
 
 void take_table(KernelProblem& out, const Tool& tool, AcfTable table, Shape periodic) {
   out.extent = "acf";
-  require_spacing(tool.given("--spacing") ? "spacing" : "size", "gives samples", out.spacing, "the table has",
-                  table.spacing, 1e-6);
+  require_spacing(tool.given("--spacing") ? "spacing" : "size", "gives samples", out.spacing,
+                  tool.given("--acf") ? "the table has" : "the map has", table.spacing, 1e-6);
   if (table.left_out)
     tool.warn("the lags of the table beyond " +
               text({table.half_plane.rows(), table.half_plane.cols() / 2 + 1}) +
