@@ -47,7 +47,7 @@
 /// Lags      of the prescribed table up to a quarter of the field, thinned to at most 9 × 17 over the
 ///           half-plane.
 /// Accuracy  False alarms of 500 single surfaces each of N/S_2 = 450 to 900, Gaussian and exponential ρ:
-///           0.6 and 0.4 % at a stated 1 %, 3.4 and 3.0 % at 5 %; of 140 ensembles of 10 2.1 and 4.3 %.
+///           0.6 and 0.4 % at a stated 1 %, 3.4 and 3.0 % at 5 %; of 120 ensembles of 10 2.5 and 4.2 %.
 ///           Without (6), of 2000 single surfaces of N/S_2 = 315, 937 and 1242: 0.25, 0.7 and 0.7 % at a
 ///           stated 1 %, 3.2, 3.9 and 3.7 % at 5 %; with a third of the points missing 0.65 and 0.6 %, 2.6
 ///           and 2.9 % (validation/statistics_coverage). Drawn surfaces: of 2000 single ones of skewness 1,

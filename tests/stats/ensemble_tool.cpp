@@ -103,19 +103,19 @@ TEST_CASE("asperity-stats --compare marks what differs, by errors of both", "[st
 }
 
 // Sv, which theory leaves without an error, is compared with that of one twin more:
-// z = Δ/(s √(1 + 1/20)). A scratch of 12 Sq is far below all valleys of twins, which are of 4; Sp has none.
+// z = Δ/(s √(1 + 1/9)). A scratch of 12 Sq is far below all valleys of twins, which are of 4; Sp has none.
 TEST_CASE("what theory gives no error is compared with the spread of twins, and of two surfaces not at all",
           "[stats-tool][compare][statistics]") {
-  write_surfaces(21);
+  write_surfaces(10);
   Dataset data = read_dataset("g_0.nc");
   Field scratched = field_of(data, "heights");
   scratched.block(20, 10, 1, 3).setConstant(-5e-6);
   data.find("heights")->values = std::vector<double>(scratched.data(), scratched.data() + scratched.size());
   write_dataset(data, "scratched.nc");
-  const Json twins = json_of("asperity-stats g_[1-9].nc g_1?.nc g_20.nc");
-  const Json table = json_of("asperity-stats scratched.nc g_[1-9].nc g_1?.nc g_20.nc --compare");
+  const Json twins = json_of("asperity-stats g_[1-9].nc");
+  const Json table = json_of("asperity-stats scratched.nc g_[1-9].nc --compare");
   const double apart = value_in(table, "Sv", "others") - value_in(table, "Sv", "first"),
-               z = apart / (value_in(twins, "Sv", "spread") * std::sqrt(1 + 1 / 20.0));
+               z = apart / (value_in(twins, "Sv", "spread") * std::sqrt(1 + 1 / 9.0));
   CHECK(std::abs(value_in(table, "Sv", "z") / z - 1) <= 1e-10);
   const auto verdict = [](const Json& of, const std::string& quantity) {
     const Json& names = of["quantity"]["values"];
