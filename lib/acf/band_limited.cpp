@@ -63,9 +63,8 @@ struct Aliases {
 
 struct Sides {
   double x, y;
-  Sides(const EllipticTarget& model, Shape period)
-      : x(static_cast<double>(period.nx) * model.spacing_x),
-        y(static_cast<double>(period.ny) * model.spacing_y) {}
+  Sides(double spacing_x, double spacing_y, Shape period)
+      : x(static_cast<double>(period.nx) * spacing_x), y(static_cast<double>(period.ny) * spacing_y) {}
 };
 
 void check_wave(const char* name, double wave, const WaveBounds& bounds) {
@@ -97,7 +96,7 @@ double length_for_rolloff(const EllipticTarget& model, double rolloff) {
 }
 
 WaveBounds rolloff_bounds(const EllipticTarget& model, Shape period) {
-  const Sides side(model, period);
+  const Sides side(model.spacing_x, model.spacing_y, period);
   return {2 * std::max(model.spacing_x, model.spacing_y), std::min(side.x, side.y)};
 }
 
@@ -109,33 +108,50 @@ WaveBounds cutoff_bounds(const EllipticTarget& model, const Band& band, Shape pe
   return out;
 }
 
-BandLimited::BandLimited(const EllipticTarget& model, const Band& band, Shape period)
-    : period_(period), band_(band), power_(size(period.nx * (period.ny / 2 + 1))) {
-  check_band(model, band, period);
-  const Sides side(model, period);
-  const Density density(model, band);
-  const double most = band.cuts() ? std::pow(turn / band.cutoff * (1 + WaveBounds::rounded), 2) : Band::none;
+template <class Density>
+void BandLimited::set_powers(const Density& density, double side_x, double side_y, double most) {
   double sum = 0;
-  for (Index a = 0; a < period.nx; ++a)
-    for (Index b = 0; 2 * b <= period.ny; ++b) {
-      const Aliases along_x(a, period.nx), along_y(b, period.ny);
+  for (Index a = 0; a < period_.nx; ++a)
+    for (Index b = 0; 2 * b <= period_.ny; ++b) {
+      const Aliases along_x(a, period_.nx), along_y(b, period_.ny);
       double power = 0, slope = 0;
       for (Index j : along_x.waves())
         for (Index k : along_y.waves()) {
-          const double qx = turn * static_cast<double>(j) / side.x,
-                       qy = turn * static_cast<double>(k) / side.y;
+          const double qx = turn * static_cast<double>(j) / side_x,
+                       qy = turn * static_cast<double>(k) / side_y;
           const double squared = qx * qx + qy * qy;
           if (squared == 0 || squared > most) continue;
           const double c = density(qx, qy);
           power += c, slope += c * squared;
         }
-      const double times = b > 0 && 2 * b < period.ny ? 2 : 1;  // in the whole spectrum
-      power_[size(a * (period.ny / 2 + 1) + b)] = power;
+      const double times = b > 0 && 2 * b < period_.ny ? 2 : 1;  // in the whole spectrum
+      power_[size(a * (period_.ny / 2 + 1) + b)] = power;
       sum += times * power, slope_ += times * slope;
     }
-  check_parameter(sum > 1e-280, "length", "the model has no power at the waves of the band; choose others");
+  mean_square_ = sum / (side_x * side_y);
+  if (!(sum > 1e-280)) return;
   for (Complex& p : power_) p /= sum;
   slope_ /= sum;
+}
+
+BandLimited::BandLimited(const EllipticTarget& model, const Band& band, Shape period)
+    : period_(period), band_(band), power_(size(period.nx * (period.ny / 2 + 1))) {
+  check_band(model, band, period);
+  const Sides side(model.spacing_x, model.spacing_y, period);
+  set_powers(Density(model, band), side.x, side.y,
+             band.cuts() ? std::pow(turn / band.cutoff * (1 + WaveBounds::rounded), 2) : Band::none);
+  check_parameter(mean_square_ * side.x * side.y > 1e-280, "length",
+                  "the model has no power at the waves of the band; choose others");
+}
+
+BandLimited::BandLimited(const RadialSpectrum& spectrum, std::array<double, 2> spacing, Shape period)
+    : period_(period), power_(size(period.nx * (period.ny / 2 + 1))) {
+  const Sides side(spacing[0], spacing[1], period);
+  set_powers([&](double qx, double qy) { return spectrum(std::hypot(qx, qy)); }, side.x, side.y, Band::none);
+  if (!(mean_square_ > 0))
+    throw DataError("psd", "no wave of the surface is between its ends, " + number(spectrum.first()) +
+                               " and " + number(spectrum.last()) +
+                               " rad/m; choose another size or more samples");
 }
 
 }  // namespace asperity

@@ -19,6 +19,9 @@
 ///
 /// The mean square slope is known too, without differences of heights: Sdq²/σ² = Σ |q|² P(q).            (4)
 ///
+/// A spectrum that is known in its own unit (acf/radial_spectrum.hpp) takes the place of the model's: P is (1)
+/// of its C, and the waves of the period have the mean square Σ C/(Lx Ly).                               (5)
+///
 /// Symbols   ^  the discrete Fourier transform over the period    σ  rms height
 ///           λs, λr1, λr2  cut-off; roll-off along x' and y', in the unit of the model's lengths
 /// Accuracy  ε log2(N M) of the variance.
@@ -28,9 +31,11 @@
 /// G. Anciaux, J.-F. Molinari, Int. J. Solids Struct. 52 (2015) 83-102.
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "acf/periodic.hpp"
+#include "acf/radial_spectrum.hpp"
 #include "acf/target.hpp"
 
 namespace asperity {
@@ -69,6 +74,8 @@ class BandLimited {
   /// Throws ParameterError of the model's members; ("model") for a stretched exponential; ("rolloff") and
   /// ("cutoff") beyond the bounds; ("length") for a model without power at any wave of the band.
   BandLimited(const EllipticTarget& model, const Band& band, Shape period);
+  /// Of all waves that have C. Throws DataError("psd") where no wave of the period has.
+  BandLimited(const RadialSpectrum& spectrum, std::array<double, 2> spacing, Shape period);
 
   const Band& band() const { return band_; }
   /// R/σ² at the lags p = 0 … N/2, q = -M/2 … M/2.
@@ -78,11 +85,16 @@ class BandLimited {
   Field kernel() const { return kernel_of_power(power_, period_); }
   /// (4), over the square of the unit of the lengths.
   double mean_square_slope() const { return slope_; }
+  /// (5), of a spectrum [m²].
+  double mean_square() const { return mean_square_; }
 
  private:
+  template <class Density>
+  void set_powers(const Density& density, double side_x, double side_y, double most);
+
   Shape period_;
-  Band band_;
-  double slope_ = 0;
+  Band band_ = {};
+  double slope_ = 0, mean_square_ = 0;
   PowerSpectrum power_;  ///< the sum over the whole spectrum is 1
 };
 

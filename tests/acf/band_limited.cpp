@@ -149,6 +149,23 @@ TEST_CASE("a roll-off is the wavelength of the corner of the self-affine correla
     CHECK(std::abs(t.target()(lag, 0) - rho(turn * lag / rolloff)) <= 1e-11);
 }
 
+// The two ways to (1): the same C, as a model over its power at q = 0 and as a table of power laws.
+TEST_CASE("a table of the spectrum has the waves of its model, and their mean square in its own unit",
+          "[band][law]") {
+  const Shape period{30, 21};
+  const double hurst = 0.8, rolloff = 10, corner = turn / rolloff, least = turn / 30, most = 6;
+  const RadialSpectrum table({{least, corner, most}, {5, 5, 5 * std::pow(most / corner, -2 - 2 * hurst)}});
+  const BandLimited asked(self_affine(hurst, rolloff), {}, period), drawn(table, {1, 1}, period);
+  CHECK((asked.correlation() - drawn.correlation()).abs().maxCoeff() <= 1e-13);
+  CHECK(relative_error(drawn.mean_square_slope(), asked.mean_square_slope()) <= 1e-13);
+  double sum = 0;
+  for (Index j = -15; j <= 15; ++j)
+    for (Index k = -10; k <= 10; ++k)
+      sum += table(turn * std::hypot(static_cast<double>(j) / 30, static_cast<double>(k) / 21));
+  CHECK(relative_error(drawn.mean_square(), sum / (30 * 21)) <= 1e-13);
+  CHECK_THROWS_AS(BandLimited(RadialSpectrum({{10, 20}, {1, 1}}), {1, 1}, period), DataError);
+}
+
 TEST_CASE("a cut-off beyond the samples, the period or the roll-off is refused", "[band][contract]") {
   const auto refused = [](const EllipticTarget& t, double cutoff, Shape period) -> std::string {
     try {
