@@ -17,7 +17,7 @@ struct Options {
 
 void declare(cli::Tool& tool, Options& o) {
   o.kernel.declare(tool);
-  tool.quantity("--rq", o.kernel.rms, "m", "Rms height. Default: that of --acf, else 1", "Autocorrelation");
+  o.kernel.height.declare(tool, "Rms height. Default: that of --acf, else 1", "Autocorrelation");
   tool.quantities("--spacing", o.spacing, "m", "Sample spacing in x and y; or give --shape and --size",
                   "Sampling");
   tool.counts("--shape", o.shape, 1, "Samples in x and y", "Sampling");
@@ -56,6 +56,12 @@ void wrap(const cli::Tool& tool, cli::KernelSolution& solution, Shape period) {
   cli::set_kernel(solution.data, tables);
 }
 
+void slope(const cli::Tool& tool, const Options& o, Dataset& data) {
+  cli::KernelTables tables = cli::kernel_of(data);
+  o.kernel.height.apply(tool, tables, o.shape, data.attributes);
+  cli::set_kernel(data, tables);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -86,6 +92,7 @@ int main(int argc, char** argv) {
     const cli::SolvedKernel kernel = cli::solve(tool, problem);
     cli::KernelSolution solution = cli::record(tool, std::move(problem), kernel);
     if (o.periodic) wrap(tool, solution, o.shape);
+    if (o.kernel.height.has_slope()) slope(tool, o, solution.data);
     if (!solution.change.empty()) tool.warn(solution.change);
     solution.before.tell(tool, solution.data, "kernel");
     tool.write(solution.data);

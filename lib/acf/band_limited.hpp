@@ -19,8 +19,8 @@
 ///
 /// The mean square slope is known too, without differences of heights: Sdq²/σ² = Σ |q|² P(q).            (4)
 ///
-/// A spectrum that is known in its own unit (acf/radial_spectrum.hpp) takes the place of the model's: P is (1)
-/// of its C, and the waves of the period have the mean square Σ C/(Lx Ly).                               (5)
+/// A spectrum that is known in its own unit (acf/radial_spectrum.hpp) takes the place of the model's: P is
+/// (1) of its C, and the waves of the period have the mean square Σ C/(Lx Ly).                            (5)
 ///
 /// Symbols   ^  the discrete Fourier transform over the period    σ  rms height
 ///           λs, λr1, λr2  cut-off; roll-off along x' and y', in the unit of the model's lengths

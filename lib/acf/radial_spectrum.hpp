@@ -2,8 +2,8 @@
 ///
 /// With q = 2π/wavelength, C(q) is the density of the surface and C1(q) that of its profiles, of both signs,
 /// as stats/spectrum/spectrum.hpp has them,
-///     σ² = 1/(2π)² ∫∫ C dqx dqy = 1/2π ∫ q C dq,    σ² = 1/2π ∫ C1 dq over all q = 1/π ∫ C1 dq, q > 0.  (1)
-/// Both are two-sided: of cycles in place of radians they have the same values, of one sign alone twice these.
+///     σ² = 1/(2π)² ∫∫ C dqx dqy = 1/2π ∫ q C dq,  σ² = 1/2π ∫ C1 dq over all q = 1/π ∫ C1 dq, q > 0.  (1)
+/// Both are two-sided: of cycles in place of radians they have the same values, of one sign twice these.
 ///
 /// Between two rows ln C is linear in ln q, a power law. Beyond its ends C is zero: nothing is extrapolated.
 ///

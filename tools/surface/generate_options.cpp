@@ -21,15 +21,14 @@ void GenerateOptions::declare(Tool& tool) {
   tool.quantities("--size", size, "m",
                   "Side lengths in x and y. Default: --shape times the spacing of --like, --kernel or --acf",
                   surface);
-  tool.quantity(
-      "--rq", acf.rms, "m",
-      "Rms height of the ensemble; one surface differs from it by sampling error (see asperity-stats)",
+  acf.height.declare(
+      tool, "Rms height of the ensemble; one surface differs from it by sampling error (see asperity-stats)",
       surface);
-  tool.flag(
-      "--exact-rq", exact_rq,
-      "Give each surface exactly zero mean and --rq. Its heights are then no longer independent draws of the "
-      "target, and standard errors do not hold",
-      surface);
+  tool.flag("--exact-rq", exact_rq,
+            "Give each surface exactly zero mean and --rq, or the height of --rms-slope. Its heights are "
+            "then no longer independent draws of the "
+            "target, and standard errors do not hold",
+            surface);
   tool.flag(
       "--periodic", periodic,
       "Draw a surface that continues at its opposite edge. If the correlation is longer than half the "
@@ -141,7 +140,8 @@ SurfaceKernel solved(const Tool& tool, GenerateOptions& o, std::optional<AcfTabl
   KernelProblem problem =
       kernel_problem(tool, o.acf, std::move(table), sized ? spacing_of(o.shape, o.size) : std::nullopt,
                      o.periodic ? o.shape : Shape{});
-  if (!problem.has_height) throw UsageError("rq", "is required: the rms height of the surface");
+  if (!problem.has_height && !o.acf.height.has_slope())
+    throw UsageError("rq", "is required: the rms height of the surface; or --rms-slope");
   adopt_grid(tool, o, problem.data);
   if (!o.periodic) problem.period.reset();
   problem.keeps_kernel = o.adds("kernel") || o.acf.filters();
@@ -197,11 +197,12 @@ SurfaceKernel solved_or_read(const Tool& tool, GenerateOptions& o, std::optional
 KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Dataset& data) {
   KernelTables tables = kernel_of(data);
   if (tool.given("--rq")) {
-    check_rms(o.acf.rms);
-    tables.scale(o.acf.rms / tables.rms());
+    check_rms(o.acf.height.rms);
+    tables.scale(o.acf.height.rms / tables.rms());
     tables.has_height = true;
   }
-  if (!tables.has_height) throw UsageError("rq", "is required: the kernel has unit variance");
+  if (!tables.has_height && !o.acf.height.has_slope())
+    throw UsageError("rq", "is required, or --rms-slope: the kernel has unit variance");
   if (std::isnan(o.size[0])) {
     if (!tables.spacing) throw UsageError("size", "is required: the kernel counts its lags in samples");
     return tables;
@@ -261,6 +262,7 @@ Pointwise filtered(const Tool& tool, const GenerateOptions& o, SurfaceKernel& ke
 }  // namespace
 
 SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options, std::optional<AcfTable> table) {
+  options.acf.height.check(tool);
   SurfaceKernel out = solved_or_read(tool, options, std::move(table));
   const Shape shape = options.shape;
   out.tables = tables_for(tool, options, out.data);
@@ -269,6 +271,7 @@ SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options, std::op
   // That of the kernel itself where there is one: the surface is then drawn again from its dataset.
   if (out.tables.period == shape_of(out.tables.kernel)) out.root = root_of_kernel(out.tables.kernel);
   if (!out.change.empty()) tool.warn(out.change);
+  options.acf.height.apply(tool, out.tables, shape, out.data.attributes);
   const auto [dx, dy] = *out.tables.spacing;
   const Grid grid{shape, dx, dy, options.periodic};
   if (options.adds("kernel"))

@@ -370,10 +370,11 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, std
                              const Spacing& spacing, Shape periodic) {
   KernelProblem out;
   out.spacing = spacing;
-  out.has_height = !std::isnan(options.rms);
+  options.height.check(tool);
+  out.has_height = !std::isnan(options.height.rms);
   KernelRequest& request = out.request;
   request = options.request;
-  if (out.has_height) request.rms = options.rms;
+  if (out.has_height) request.rms = options.height.rms;
   request.method = options.filters() ? Method::newton_krylov : enum_named<Method>(options.method, "method");
   request.infeasible = enum_named<InfeasiblePolicy>(options.infeasible, "infeasible");
   request.memory = static_cast<double>(tool.memory());

@@ -14,6 +14,7 @@
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/surface/acf_table.hpp"
+#include "tools/surface/height_options.hpp"
 #include "tools/surface/kernel_dataset.hpp"
 #include "tools/surface/marginal.hpp"
 
@@ -23,7 +24,7 @@ struct KernelOptions {
   std::string target = "exponential", acf, angle = "0deg", wavelength, cutoff;
   std::array<SampledLength, 2> length, rolloff;
   EllipticTarget shape;  ///< its level and the parameters of its shape
-  double rms = NAN;
+  HeightOptions height;
   MarginalOptions heights;
 
   KernelRequest request;  ///< its lags and tolerances
