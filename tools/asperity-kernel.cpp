@@ -17,7 +17,7 @@ struct Options {
 
 void declare(cli::Tool& tool, Options& o) {
   o.kernel.declare(tool);
-  o.kernel.height.declare(tool, "Rms height. Default: that of --acf, else 1", "Autocorrelation");
+  o.kernel.height.declare(tool, "Rms height. Default: that of --acf or --psd, else 1", "Autocorrelation");
   tool.quantities("--spacing", o.spacing, "m", "Sample spacing in x and y; or give --shape and --size",
                   "Sampling");
   tool.counts("--shape", o.shape, 1, "Samples in x and y", "Sampling");
@@ -82,8 +82,9 @@ int main(int argc, char** argv) {
       throw cli::UsageError("acf", "no input: pipe a table in or name a file");
     if (o.periodic && !tool.given("--shape") && !tool.given("--acf"))
       throw cli::UsageError("shape", "is required by --periodic");
-    cli::KernelProblem problem = cli::kernel_problem(tool, o.kernel, cli::wanted_table(tool, o.kernel), known,
-                                                     o.periodic ? o.shape : Shape{});
+    cli::KernelProblem problem =
+        cli::kernel_problem(tool, o.kernel, cli::wanted_table(tool, o.kernel, known, o.shape, o.periodic),
+                            known, o.periodic ? o.shape : Shape{});
     if (o.periodic) adopt_period(o, problem);
     problem.lay_out(tool, problem.positive_definite || o.periodic ? surface_of(o, problem) : Shape{},
                     o.periodic);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -17,8 +18,10 @@ namespace asperity {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double rounded = 1e-9;        // of a ratio
-constexpr double least_fall = 1.5;      // exponent of C1 beyond its end
+constexpr double rounded = 1e-9;     // of a ratio
+constexpr double least_fall = 1.5;   // exponent of C1 beyond its end
+constexpr double most_change = 0.25; // of the variance, by an isotropic surface
+constexpr double no_gap = std::numeric_limits<double>::infinity();
 constexpr double nearest = 1.0 / 8;     // rows, in octaves
 constexpr double rings_an_octave = 48;  // of which a share is beyond the grid
 
@@ -26,7 +29,7 @@ constexpr double rings_an_octave = 48;  // of which a share is beyond the grid
   throw DataError("psd", "row " + std::to_string(i + 1) + ": " + what);
 }
 
-void check_rows(const SpectrumRows& rows) {
+void check_rows(const SpectrumRows& rows, double widest_gap) {
   if (rows.q.size() < 2)
     throw DataError("psd", "it has " + counted(static_cast<std::ptrdiff_t>(rows.q.size()), "row") +
                                "; at least 2 are needed");
@@ -35,11 +38,11 @@ void check_rows(const SpectrumRows& rows) {
     if (!(q > 0 && std::isfinite(q)))
       refuse_row(i, "the wave number " + shortest(q) + " must be above 0 and finite");
     if (!(density > 0 && std::isfinite(density)))
-      refuse_row(i, "the density " + shortest(density) + " must be above 0 and finite: leave such rows out");
+      refuse_row(i, "the density " + number(density) + " must be above 0 and finite: leave such rows out");
     if (i > 0 && !(q > before))
       refuse_row(i,
                  "the wave number " + shortest(q) + " follows " + shortest(before) + ": they must increase");
-    if (q / before > RadialSpectrum::widest_gap * (1 + rounded))
+    if (q / before > widest_gap * (1 + rounded))
       refuse_row(i, "a gap: the wave number " + shortest(q) + " rad/m is " + number(q / before) +
                         " times that of the row before; at most 10 can be bridged");
   }
@@ -71,7 +74,9 @@ void for_each_law(const SpectrumRows& rows, double low, double high, Part f) {
 
 }  // namespace
 
-RadialSpectrum::RadialSpectrum(SpectrumRows rows) : rows_(std::move(rows)) { check_rows(rows_); }
+RadialSpectrum::RadialSpectrum(SpectrumRows rows, double gap) : rows_(std::move(rows)) {
+  check_rows(rows_, gap);
+}
 
 double RadialSpectrum::operator()(double q) const {
   if (!(q >= first() * (1 - rounded) && q <= last() * (1 + rounded))) return 0;
@@ -140,32 +145,76 @@ double power_beyond(const SpectrumRows& rows, double q, double fall) {
          q * rows.density.back() * std::pow(x, -fall) * gsl_sf_beta(a, 0.5) * gsl_sf_beta_inc(a, 0.5, x * x);
 }
 
+// Neighbouring rows with their mean G.
+struct PowerBlock {
+  double logs, power;
+  std::size_t rows;
+  double q() const { return std::exp(logs / static_cast<double>(rows)); }
+  double mean() const { return power / static_cast<double>(rows); }
+};
+
+// The nearest G that falls, from the last row to the first (pool adjacent violators).
+std::vector<PowerBlock> falling(const SpectrumRows& rows, const std::vector<double>& power) {
+  std::vector<PowerBlock> out;
+  for (std::size_t i = power.size(); i-- > 0;) {
+    PowerBlock block{std::log(rows.q[i]), power[i], 1};
+    for (; !out.empty() && !(block.mean() > out.back().mean()); out.pop_back())
+      block.logs += out.back().logs, block.power += out.back().power, block.rows += out.back().rows;
+    out.push_back(block);
+  }
+  return out;
+}
+
+// C at the middle of two rows of G.
+void add_middle(SpectrumRows& out, const SpectrumRows& power, std::size_t i) {
+  const Law g(power, i);
+  const double q = std::sqrt(power.q[i] * power.q[i + 1]);
+  out.q.push_back(q), out.density.push_back(-g.exponent * g(q) / (q * q));
+}
+
+// C at an end: by the law of the middles i and i+1, and flat where rows of G were taken together there.
+double at_end(const SpectrumRows& middles, const SpectrumRows& g, std::size_t i, double q, bool flat) {
+  const std::size_t next = q < middles.q.front() ? 0 : middles.q.size() - 1;
+  const double only = Law(g, 0).exponent - 2,
+               exponent = middles.q.size() < 2 ? only : Law(middles, i).exponent;
+  return middles.density[next] * std::pow(q / middles.q[next], flat ? 0 : exponent);
+}
+
+[[noreturn]] void refuse_profiles(double change) {
+  throw DataError("psd",
+                  "no isotropic surface has these profiles: the power of their waves would change by " +
+                      in_digits(100 * change, 2) + " % of the variance, more than 25 %");
+}
+
 }  // namespace
 
 ProfileSpectrum spectrum_of_profiles(const SpectrumRows& rows) {
-  check_rows(rows);
+  check_rows(rows, RadialSpectrum::widest_gap);
   const SpectrumRows profile = thinned(rows);
   const double fall = last_fall(profile);
-  SpectrumRows power;  // G where it falls, from the last row on
-  double rise = 0, before = 0;
-  for (std::size_t i = profile.q.size(); i-- > 0;) {
-    const double g = power_beyond(profile, profile.q[i], fall);
-    rise += std::max(before - g, 0.0), before = g;
-    if (power.q.empty() || g > power.density.back())
-      power.q.push_back(profile.q[i]), power.density.push_back(g);
+  std::vector<double> power;
+  for (const double q : profile.q) power.push_back(power_beyond(profile, q, fall));
+  const std::vector<PowerBlock> blocks = falling(profile, power);
+  SpectrumRows g;
+  double change = 0;
+  for (std::size_t b = blocks.size(), row = 0; b-- > 0;) {
+    g.q.push_back(blocks[b].q()), g.density.push_back(blocks[b].mean());
+    for (const std::size_t end = row + blocks[b].rows; row < end; ++row)
+      change = std::max(change, std::abs(power[row] - blocks[b].mean()) / blocks.back().mean());
   }
-  std::ranges::reverse(power.q), std::ranges::reverse(power.density);
-  check_rows(power);
+  if (blocks.size() < 2 || change > most_change) refuse_profiles(change);
+  SpectrumRows middles;
+  for (std::size_t i = 0; i + 1 < g.q.size(); ++i) add_middle(middles, g, i);
   SpectrumRows out;
-  const std::size_t last = power.q.size() - 1;
-  auto add = [&](double q, const Law& g) {
-    out.q.push_back(q), out.density.push_back(-g.exponent * g(q) / (q * q));
-  };
-  add(power.q[0], Law(power, 0));
-  for (std::size_t i = 0; i < last; ++i) add(std::sqrt(power.q[i] * power.q[i + 1]), Law(power, i));
-  add(power.q[last], Law(power, last - 1));
-  const double all = power.density.front();
-  return {RadialSpectrum(std::move(out)), rise / all, power.density.back() / all};
+  const std::size_t most = middles.q.size();
+  out.q.push_back(profile.q.front());
+  out.density.push_back(at_end(middles, g, 0, profile.q.front(), blocks.back().rows > 1));
+  out.q.insert(out.q.end(), middles.q.begin(), middles.q.end());
+  out.density.insert(out.density.end(), middles.density.begin(), middles.density.end());
+  out.q.push_back(profile.q.back());
+  out.density.push_back(
+      at_end(middles, g, most < 2 ? 0 : most - 2, profile.q.back(), blocks.front().rows > 1));
+  return {RadialSpectrum(std::move(out), no_gap), change, g.density.back() / g.density.front()};
 }
 
 }  // namespace asperity

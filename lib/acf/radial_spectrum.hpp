@@ -12,10 +12,11 @@
 /// which Abel's transform inverts [1]. In place of C = -2 ∫_q C1' dk/√(k² - q²), which differentiates a
 /// measured C1, the same projection once more gives the power of all shorter waves,
 ///     G(q) = ∫_q^∞ k C dk = 2 ∫_0^∞ C1(√(q² + v²)) dv,    C = -G'/q,                                    (3)
-/// and C by the power law of G between two rows. Rows nearer than 1/8 octave are averaged first. Beyond its
-/// last row C1 falls in (3) as over its last octave, as q^-1.5 at the least: those waves are in C1 too. They
-/// are left out of C. Where G does not fall, no isotropic surface has C1; there C is nothing, and `negative`
-/// the rise of G, as a share of the variance.
+/// and C at the middle of two rows by the power law of G between them. Rows nearer than 1/8 octave are
+/// averaged first. Beyond its last row C1 falls in (3) as over its last octave, as q^-1.5 at the least: those
+/// waves are in C1 too, and are left out of C. G must fall; where it does not, by chance or because no
+/// isotropic surface has C1, it is replaced by the nearest that does (pool adjacent violators), and refused
+/// where that changes it by more than a quarter of the variance.
 ///
 /// Symbols   q, k  wave numbers [rad/m]   C [m⁴]   C1 [m³]   σ  rms height [m]
 /// Accuracy  (1) of the power laws to round-off. (3) of one power law C1 = A q^-s, s ≥ 1.5, of which C is
@@ -42,7 +43,7 @@ class RadialSpectrum {
 
   /// Of C. Throws DataError("psd", …) naming the row: fewer than two, q not positive or not increasing, a
   /// gap, a density that is not positive.
-  explicit RadialSpectrum(SpectrumRows rows);
+  explicit RadialSpectrum(SpectrumRows rows, double gap = widest_gap);
 
   double operator()(double q) const;
   double first() const { return rows_.q.front(); }
@@ -59,10 +60,10 @@ class RadialSpectrum {
 /// C of C1 by (3).
 struct ProfileSpectrum {
   RadialSpectrum spectrum;
-  double negative = 0;  ///< share of the variance
-  double beyond = 0;    ///< the same, of the waves beyond the last row
+  double change = 0;  ///< largest of G, as a share of the variance
+  double beyond = 0;  ///< share of the variance beyond the last row
 };
-/// Throws as RadialSpectrum.
+/// Throws as RadialSpectrum, and where no isotropic surface has the profiles.
 ProfileSpectrum spectrum_of_profiles(const SpectrumRows& rows);
 
 }  // namespace asperity

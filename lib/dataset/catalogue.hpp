@@ -70,6 +70,7 @@ inline constexpr KnownAttribute attributes[] = {
     {"kernel_cutoff", parameter, "sample", "shortest wavelength"},
     {"kernel_rolloff", parameter, "sample", "wavelength above which the spectrum is flat, along x, y"},
     {"kernel_rms", parameter, "height", "rms height"},
+    {"kernel_rms_slope", parameter, "1", "rms slope by differences of neighbouring heights"},
     {"kernel_heights", parameter, "", "distribution of heights"},
     {"kernel_skewness", parameter, "1", "target skewness"},
     {"kernel_kurtosis", parameter, "1", "target kurtosis"},

@@ -146,6 +146,16 @@ class Datasets(support.TestCase):
         self.assertEqual(list(sweep.load.round(9)), [10, 20, 40])
         self.assertEqual(asp.plot(sweep, kind="sweep").media, "image/png")
 
+    def test_a_spectrum_is_a_table_a_dictionary_or_an_array(self):
+        options = dict(shape=(32, 32), size="32um", seed=1)
+        measured = asp.psd(asp.generate(**SURFACE), result="radial")
+        asp.generate(psd=measured, shape=(32, 32), size="3mm", rms_slope=0.1)
+        q, c = numpy.array([0.2, 1, 3]), numpy.array([5, 5, 0.1])
+        columns = asp.generate(psd={"wave_number [rad/um]": q, "psd [um4]": c}, **options)
+        array = xarray.DataArray(c, dims="q", coords={"q": ("q", q, {"units": "rad/um"})}, name="psd",
+                                 attrs={"units": "um4"})
+        numpy.testing.assert_array_equal(asp.generate(psd=array, **options).heights, columns.heights)
+
 
     def test_a_map_of_which_twins_are_drawn_is_understood_or_refused_in_one_line(self):
         one = surface()

@@ -30,16 +30,16 @@ struct HeadedColumn {
   std::string name, unit;
 };
 
-/// Of "lag_x [um]  acf": the columns with their units.
+/// Of "lag_x [um]  wave_number [rad m-1]  acf": the columns with their units.
 inline std::vector<HeadedColumn> columns_of(std::string_view header) {
   std::vector<HeadedColumn> columns;
-  for (std::string_view word : words_of(header)) {
-    if (word.starts_with('[') && word.ends_with(']') && !columns.empty())
-      columns.back().unit = word.substr(1, word.size() - 2);
-    else
-      columns.push_back({std::string(word), {}});
+  while (true) {
+    const std::size_t open = header.find('['), close = header.find(']', std::min(open, header.size()));
+    for (std::string_view word : words_of(header.substr(0, open))) columns.push_back({std::string(word), {}});
+    if (close == std::string_view::npos) return columns;
+    if (!columns.empty()) columns.back().unit = header.substr(open + 1, close - open - 1);
+    header.remove_prefix(close + 1);
   }
-  return columns;
 }
 
 inline std::optional<std::size_t> place(const std::vector<HeadedColumn>& columns, std::string_view name) {

@@ -15,7 +15,7 @@ namespace {
 
 void refuse_beside_map(const Tool& tool) {
   refuse_model(tool, "like");
-  for (const char* option : {"acf", "kernel"})
+  for (const char* option : {"acf", "psd", "kernel"})
     if (tool.given(std::string("--") + option)) throw UsageError(option, "cannot be combined with --like");
 }
 

@@ -14,6 +14,8 @@
 #include "tools/cli/plain_text.hpp"
 #include "tools/cli/quantity.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/surface/kernel_options.hpp"
+#include "tools/surface/spectrum_table.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -190,6 +192,40 @@ AcfTable read_acf_table(const std::string& name, const MemoryBound& memory) {
   const Bytes bytes = read_all(name, memory);
   const MemoryBound left = memory.beside(bytes.size());
   return looks_like_netcdf(bytes) ? acf_table_of(decode_netcdf(bytes, left)) : from_text(bytes, left);
+}
+
+void refuse_model(const Tool& tool, const char* table) {
+  std::vector<const char*> of_model{"model", "length", "length-level", "angle", "rolloff", "cutoff"};
+  for (const ShapeParameter& parameter : shape_parameters) of_model.push_back(parameter.name);
+  for (const char* option : of_model)
+    if (tool.given(std::string("--") + option))
+      throw UsageError(option, std::string("cannot be combined with --") + table +
+                                   ", which gives the whole autocorrelation");
+}
+
+void refuse_solver(const Tool& tool, const KernelOptions& o, const std::string& limit) {
+  for (const char* option : {"lags", "formulation"})
+    if (tool.given(std::string("--") + option))
+      throw UsageError(option, "cannot be combined with --" + limit + ", which leaves no equations to solve");
+  if (tool.given("--method") && !o.filters())
+    throw UsageError(
+        "method", o.method + ": cannot be combined with --" + limit + ", which leaves no equations to solve");
+}
+
+std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& o, const Spacing& spacing,
+                                     Shape surface, bool periodic) {
+  if (tool.given("--psd")) {
+    refuse_model(tool, "psd");
+    refuse_solver(tool, o, "psd");
+    if (tool.given("--acf"))
+      throw UsageError("acf", "cannot be combined with --psd, which gives the whole autocorrelation");
+    return acf_of_spectrum(tool, o.psd, spacing, surface, periodic);
+  }
+  if (!tool.given("--acf")) return std::nullopt;
+  refuse_model(tool, "acf");
+  AcfTable out = read_acf_table(o.acf, tool.memory_bound());
+  tool.reads(o.acf, !out.dataset.variables.empty());
+  return out;
 }
 
 }  // namespace asperity::cli

@@ -25,6 +25,8 @@ struct AcfTable {
   double rms = NAN;                  ///< [m], where it is known
   HeightsWithAcf heights = {};       ///< whose autocorrelation it is
   std::optional<Shape> period = {};  ///< of a periodic surface, where the table has all of its lags
+  std::optional<Shape> corner = {};  ///< the largest part of that surface that is meant, not the whole
+  const char* option = "acf";        ///< that asked for it
   bool any_period = false;           ///< a text, which does not say its surface's
   bool positive_definite = false;    ///< as it stands, and 0 beyond its lags: of a tapered surface
   Dataset dataset;  ///< what came with the table, less what belongs to the surface that it was taken from

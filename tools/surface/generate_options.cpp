@@ -128,22 +128,22 @@ void refuse_drawing(const Tool& tool, const GenerateOptions& o, Shape lags) {
 
 void require_model(const Tool& tool) {
   if (!tool.given("--shape")) throw UsageError("shape", "is required");
-  if (!tool.given("--length") && !tool.given("--rolloff"))
-    throw UsageError("length", "is required, or --acf or --kernel");
+  if (!tool.given("--length") && !tool.given("--rolloff") && !tool.given("--psd"))
+    throw UsageError("length", "is required, or --acf, --psd or --kernel");
   if (!tool.given("--size")) throw UsageError("size", "is required");
 }
 
 SurfaceKernel solved(const Tool& tool, GenerateOptions& o, std::optional<AcfTable> table) {
   if (!table && !tool.given("--acf")) require_model(tool);
-  if (!table) table = wanted_table(tool, o.acf);
   const bool sized = tool.given("--shape") && tool.given("--size");
+  const Spacing spacing = sized ? spacing_of(o.shape, o.size) : std::nullopt;
+  if (!table) table = wanted_table(tool, o.acf, spacing, o.shape, o.periodic);
   KernelProblem problem =
-      kernel_problem(tool, o.acf, std::move(table), sized ? spacing_of(o.shape, o.size) : std::nullopt,
-                     o.periodic ? o.shape : Shape{});
+      kernel_problem(tool, o.acf, std::move(table), spacing, o.periodic ? o.shape : Shape{});
   if (!problem.has_height && !o.acf.height.has_slope())
     throw UsageError("rq", "is required: the rms height of the surface; or --rms-slope");
   adopt_grid(tool, o, problem.data);
-  if (!o.periodic) problem.period.reset();
+  if (!o.periodic && !problem.corner) problem.period.reset();
   problem.keeps_kernel = o.adds("kernel") || o.acf.filters();
   problem.lay_out(tool, o.shape, o.periodic);
   foresee(tool, problem, o.shape, o.adds("kernel"));

@@ -21,6 +21,7 @@ std::vector<std::string> words(auto enumeration) {
 
 void KernelOptions::declare(Tool& tool, bool draws) {
   declare_target(tool);
+  declare_tables(tool);
   heights.declare(tool);
   declare_solution(tool, draws);
 }
@@ -58,11 +59,22 @@ void KernelOptions::declare_target(Tool& tool) {
       group);
   tool.text("--wavelength", wavelength, "LENGTH",
             "Wavelength of exponential-cosine along its first axis: 12px or 0.1mm", group);
+}
+
+void KernelOptions::declare_tables(Tool& tool) {
+  const std::string group = "Autocorrelation";
   tool.text(
       "--acf", acf, "FILE",
       "Table of the autocorrelation in place of a model; a dataset from asperity-acf, or one with "
       "acf_target; or "
       "text: columns under the header '# lag_x [um] lag_y [um] acf', or a matrix R(p,q); - is standard input",
+      group);
+  tool.text(
+      "--psd", psd, "FILE",
+      "Table of the power spectral density in place of a model; a table or a dataset of asperity-psd, or "
+      "text: columns under the header '# wave_number [rad/um] psd [um4]', in um3 of profiles of an isotropic "
+      "surface; both two-sided. frequency [1/um] counts cycles. Power laws between rows, nothing beyond; "
+      "without --rq its own height. - is standard input",
       group);
 }
 
@@ -200,14 +212,12 @@ EllipticTarget model_of(const Tool& tool, const KernelOptions& o, const Spacing&
   return out;
 }
 
-// Options of equations, where `limit`, --cutoff or --rolloff, leaves none.
+// Options of equations, and of what makes waves beyond a band, --cutoff or --rolloff.
 void refuse_equations(const Tool& tool, const KernelOptions& o, const std::string& limit) {
-  for (const char* option : {"lags", "formulation", "infeasible"})
-    if (given(tool, option))
-      throw UsageError(option, "cannot be combined with --" + limit + ", which leaves no equations to solve");
-  if (given(tool, "method") && !o.filters())
-    throw UsageError(
-        "method", o.method + ": cannot be combined with --" + limit + ", which leaves no equations to solve");
+  refuse_solver(tool, o, limit);
+  if (given(tool, "infeasible"))
+    throw UsageError("infeasible",
+                     "cannot be combined with --" + limit + ", which leaves no equations to solve");
   if (const std::string option = MarginalOptions::given(tool); !option.empty() && !o.filters())
     throw UsageError(option, "cannot be combined with --" + limit +
                                  ": the translation of heights makes waves beyond the band; "
@@ -266,9 +276,9 @@ void take_model(KernelProblem& out, const Tool& tool, const KernelOptions& optio
 // ---- a table ----
 
 void take_table(KernelProblem& out, const Tool& tool, AcfTable table, Shape periodic) {
-  out.extent = "acf";
+  out.extent = table.option;
   require_spacing(tool.given("--spacing") ? "spacing" : "size", "gives samples", out.spacing,
-                  tool.given("--acf") ? "the table has" : "the map has", table.spacing, 1e-6);
+                  tool.given("--like") ? "the map has" : "the table has", table.spacing, 1e-6);
   if (table.left_out)
     tool.warn("the lags of the table beyond " +
               text({table.half_plane.rows(), table.half_plane.cols() / 2 + 1}) +
@@ -280,6 +290,7 @@ void take_table(KernelProblem& out, const Tool& tool, AcfTable table, Shape peri
   }
   if (out.free()) {
     out.period = table.period_on(periodic);
+    out.corner = table.corner;
     out.positive_definite = table.positive_definite;
   }
   constexpr double known_to = 1e-2;  // of the variance: what one map tells of its autocorrelation, at best
@@ -347,23 +358,6 @@ void KernelProblem::narrow(Shape surface) {
   request.target = target_on(request.target, surface);
   if (surface.nx == 1) request.lags.nx = std::min<Index>(request.lags.nx, 1);
   if (surface.ny == 1) request.lags.ny = std::min<Index>(request.lags.ny, 1);
-}
-
-void refuse_model(const Tool& tool, const char* table) {
-  std::vector<const char*> of_model{"model", "length", "length-level", "angle", "rolloff", "cutoff"};
-  for (const ShapeParameter& parameter : shape_parameters) of_model.push_back(parameter.name);
-  for (const char* option : of_model)
-    if (given(tool, option))
-      throw UsageError(option, std::string("cannot be combined with --") + table +
-                                   ", which gives the whole autocorrelation");
-}
-
-std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options) {
-  if (!tool.given("--acf")) return std::nullopt;
-  refuse_model(tool, "acf");
-  AcfTable out = read_acf_table(options.acf, tool.memory_bound());
-  tool.reads(options.acf, !out.dataset.variables.empty());
-  return out;
 }
 
 KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, std::optional<AcfTable> table,

@@ -21,7 +21,7 @@
 namespace asperity::cli {
 
 struct KernelOptions {
-  std::string target = "exponential", acf, angle = "0deg", wavelength, cutoff;
+  std::string target = "exponential", acf, psd, angle = "0deg", wavelength, cutoff;
   std::array<SampledLength, 2> length, rolloff;
   EllipticTarget shape;  ///< its level and the parameters of its shape
   HeightOptions height;
@@ -40,6 +40,7 @@ struct KernelOptions {
 
  private:
   void declare_target(Tool& tool);
+  void declare_tables(Tool& tool);
   void declare_solution(Tool& tool, bool draws);
 };
 
@@ -83,9 +84,12 @@ struct KernelProblem {
 
 /// Throws UsageError for an option of a model, which `table`, the option of a table, has no use for.
 void refuse_model(const Tool& tool, const char* table);
-/// The table of --acf, if it is given; throws UsageError for options that it has no use for, DataError where
-/// it makes no sense.
-std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options);
+/// The same for an option of equations, of which `limit`, the option of a spectrum, leaves none.
+void refuse_solver(const Tool& tool, const KernelOptions& options, const std::string& limit);
+/// The table of --acf or of --psd, if one is given; throws UsageError for options that it has no use for,
+/// DataError where it makes no sense. The spectrum needs the samples and the shape of the surface.
+std::optional<AcfTable> wanted_table(const Tool& tool, const KernelOptions& options, const Spacing& spacing,
+                                     Shape surface, bool periodic);
 
 /// Of the table, or the model of the options, on samples of this spacing if it is known; a table may know it
 /// itself. `periodic` are the points of periodic surfaces, 0x0 of others. Throws UsageError for options that

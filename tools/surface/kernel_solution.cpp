@@ -93,7 +93,8 @@ SolvedKernel answer(KernelProblem& problem) {
 // ---- its record ----
 
 void record_target(Attributes& a, const KernelProblem& problem) {
-  if (!problem.model) return a.set("kernel_target", "table");
+  if (!problem.model)
+    return a.set("kernel_target", std::string_view(problem.extent) == "psd" ? "spectrum" : "table");
   const EllipticTarget& model = *problem.model;
   record_model(a, model);
   if (!problem.band) return;
