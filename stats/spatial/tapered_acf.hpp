@@ -21,11 +21,11 @@
 ///     φ(r) = (1 - r)⁴ (4r + 1),   r < 1.                                                               (3)
 ///
 /// Symbols   d  heights [m]      R  [m²]      n × m  points      P, Q  longest lags
-/// Accuracy  Of twins of maps of six models, 256² and 512 × 128 points of some 17 correlation lengths, Sq is
-///           0.98 to 1.01 of the map's, Sdq 0.99 to 1.01, the density of summits 1.00 to 1.04, their
-///           curvature 0.99 to 1.01 (means of six maps each); with 5 to 12 % of the points missing, in points,
-///           discs and a strip, 0.97 to 1.01, 0.97 to 1.02, 0.97 to 1.08 and 0.94 to 1.05; the Gaussian's of 8 lengths 1.03, 1.06, 1.09
-///           and 1.09, of 4 lengths 0.98, 1.09, 1.7 and 1.2.
+/// Accuracy  Of twins of maps of six models, 256² and 512 × 128 points of some 17 correlation lengths, Sq
+///           is 0.98 to 1.01 of the map's, Sdq 0.99 to 1.01, the density of summits 1.00 to 1.04, their
+///           curvature 0.99 to 1.01 (means of six maps each); with 5 to 12 % of the points missing, in
+///           points, discs and a strip, 0.97 to 1.01, 0.97 to 1.02, 0.97 to 1.08 and 0.94 to 1.05; the
+///           Gaussian's of 8 lengths 1.03, 1.06, 1.09 and 1.09, of 4 lengths 0.98, 1.09, 1.7 and 1.2.
 /// Cost      as of the ACF at all lags (stats/spatial/acf.hpp), and the filling. Memory: five fields.
 ///
 /// J. W. Tukey, An introduction to the calculations of numerical spectrum analysis, in B. Harris (ed.),
