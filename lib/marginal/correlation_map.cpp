@@ -11,6 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr double negligible = 1e-13;   // of the variance
+constexpr double least_term = 50;      // -log |ρ|ᵏ: all further terms are 2e-22 of the variance at most
 constexpr double most_products = 5e7;  // nodes × orders: half a second
 constexpr double widest_step = 0.1;    // of the quadrature: resolves 400 orders
 constexpr double resolved_phase = 2;   // of h_k, whose wavelength is 2π/√k, from node to node
@@ -48,8 +49,11 @@ CorrelationMap::CorrelationMap(const Translation& g) {
 }
 
 double CorrelationMap::operator()(double rho) const {
+  const double decay = -std::log(std::abs(rho));  // of a term, with each order
+  const bool ends = decay * static_cast<double>(orders()) > least_term;
   double sum = 0;
-  for (Eigen::Index k = orders(); k > 0; --k) sum = (sum + powers_(k - 1)) * rho;
+  for (Eigen::Index k = ends ? static_cast<Eigen::Index>(least_term / decay) + 1 : orders(); k > 0; --k)
+    sum = (sum + powers_(k - 1)) * rho;
   return sum;
 }
 
