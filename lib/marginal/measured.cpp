@@ -12,7 +12,6 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t least_sample = 100;
 constexpr auto last_node = static_cast<double>(2 * MeasuredHeights::half);
 
 // Q(p) between order statistics.
@@ -33,10 +32,9 @@ void standardise(MeasuredHeights& g) {
 }  // namespace
 
 MeasuredHeights MeasuredHeights::of(std::vector<double> sample) {
-  if (sample.size() < least_sample)
+  if (sample.size() < least)
     throw DataError("marginal", counted(static_cast<std::int64_t>(sample.size()), "height") +
-                                    " are too few for a distribution: at least " +
-                                    std::to_string(least_sample));
+                                    " are too few for a distribution: at least " + std::to_string(least));
   if (!std::ranges::all_of(sample, [](double z) { return std::isfinite(z); }))
     throw DataError("marginal", "a height is not finite");
   std::ranges::sort(sample);

@@ -11,6 +11,7 @@
 /// R. J. Hyndman, Y. Fan, Sample quantiles in statistical packages, Am. Stat. 50 (1996) 361-365.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,11 +22,12 @@ namespace asperity {
 
 struct MeasuredHeights {
   static constexpr Eigen::Index half = 4096;
+  static constexpr std::size_t least = 100;  ///< heights of a sample
 
   double step;               ///< h
   Eigen::ArrayXd quantiles;  ///< g(y_j), j = -4096 … 4096
 
-  /// Of at least 100 finite heights, in any unit, that are not all the same; throws DataError("marginal").
+  /// Of `least` finite heights or more, in any unit, that are not all the same; throws DataError("marginal").
   static MeasuredHeights of(std::vector<double> sample);
 
   Translation translation() const;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dataset/layout.hpp"
+#include "stats/filter/missing.hpp"
 #include "stats/spatial/tapered_acf.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 #include "tools/cli/lineage.hpp"
@@ -87,9 +88,10 @@ AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads) {
   AcfResult out{
       AcfEstimate(tapered_autocorrelation(surface.heights, surface.grid, max_lag, threads), basis, true)};
   out.moments = moments(surface.heights, surface.variable);
-  out.quantiles = quantiles_of(surface.heights);
   const EffectiveSampleSize size = basis.size();
-  const bool other = evident_translation(out.moments, standard_errors(out.moments, size)).has_value();
+  const bool enough = sum_of_valid(surface.heights).count >= static_cast<double>(MeasuredHeights::least),
+             other = enough && evident_translation(out.moments, standard_errors(out.moments, size));
+  if (enough) out.quantiles = quantiles_of(surface.heights);
   out.marginal = other ? "measured" : "gaussian";
   return out;
 }

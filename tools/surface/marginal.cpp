@@ -182,7 +182,9 @@ std::optional<Marginal> MarginalOptions::wanted(const Tool& tool, const HeightsW
   }
   if (marginal == "measured" || marginal.empty()) {
     if (!table.measured)
-      throw UsageError("marginal", "measured: needs --acf from asperity-acf --add acf_quantiles");
+      throw UsageError("marginal",
+                       "measured: needs the distribution of 100 heights or more: of --like, or in --acf from "
+                       "asperity-acf --taper or --add acf_quantiles");
     return Marginal::of(*table.measured);
   }
   if (marginal == "-" && stdin_is_terminal())
