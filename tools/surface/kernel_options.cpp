@@ -106,11 +106,13 @@ void KernelOptions::declare_solution(Tool& tool, bool draws) {
   tool.choice("--method", method, methods,
               "Solver of the equations. spectral: the root of the spectrum, without equations" + filter,
               group);
-  tool.choice("--infeasible", infeasible, words(InfeasiblePolicy{}),
-              "What to do if no kernel of --lags, or no height distribution, allows the target. auto: use a "
-              "wider kernel, or the nearest feasible target if it differs by at most 1e-2; nearest: the "
-              "same, however large the difference; error: refuse the target",
-              group);
+  tool.choice(
+      "--infeasible", infeasible, words(InfeasiblePolicy{}),
+      "What to do if no kernel of --lags, or no height distribution, allows the target. auto: use a "
+      "wider kernel, or the nearest feasible target if it differs by at most 1e-2, or by more where the "
+      "target is a map's (--like, asperity-acf --taper) and its heights are not Gaussian; nearest: the same, "
+      "however large the difference; error: refuse the target",
+      group);
   tool.number("--tolerance", request.tolerance,
               "Largest residual of the equations, as a share of the variance", group);
 }
@@ -381,6 +383,8 @@ KernelProblem kernel_problem(const Tool& tool, const KernelOptions& options, std
     take_model(out, tool, options, periodic);
   if (out.band) request.method = Method::spectral;
   if (!options.filters()) out.marginal = options.heights.wanted(tool, out.measured, request.infeasible);
+  if (out.marginal && out.positive_definite && request.infeasible == InfeasiblePolicy::automatic)
+    request.infeasible = InfeasiblePolicy::nearest;
   request.check();
   return out;
 }

@@ -26,6 +26,12 @@ std::shared_ptr<const Field> lags_on_torus(const KernelProblem& problem) {
   return fits ? table : std::make_shared<const Field>(periodic_sum(*table, *problem.torus));
 }
 
+// Why the root of a spectrum is not that of the target.
+std::string no_such_surface(const KernelProblem& problem) {
+  return std::string("no ") + (problem.corner ? "surface" : "surface of this period") +
+         (problem.marginal ? " with this distribution of heights" : "") + " has this autocorrelation";
+}
+
 // On a torus, where there are no equations to solve.
 SolvedKernel without_equations(KernelProblem& problem) {
   KernelRequest& request = problem.request;
@@ -46,11 +52,11 @@ SolvedKernel without_equations(KernelProblem& problem) {
   report.reason = problem.corner ? "the root of the spectrum on a torus around the surface"
                                  : "the root of the spectrum on the period";
   report.converged = report.error <= request.acf_tolerance;
+  if (!report.converged) report.reason = no_such_surface(problem);
   if (!report.converged && !allows(request.infeasible, report.error))
-    throw DataError(problem.extent,
-                    "no surface of this period and distribution has this autocorrelation; the closest one "
-                    "found changes it by " +
-                        number(report.error) + " (see --infeasible)");
+    throw DataError(problem.extent, report.reason + "; that of the nearest one differs by up to " +
+                                        number(report.error) +
+                                        " of the variance (--infeasible nearest draws it)");
   out.values = std::move(found.tables.kernel);
   out.acf_target = std::move(found.tables.acf_target);
   out.acf_achieved = std::move(found.tables.acf_achieved);
@@ -146,9 +152,7 @@ std::string changed(const KernelProblem& problem, const Kernel& kernel) {
   if (answer == Answer::exact || answer == Answer::wider || change <= problem.request.tolerance) return "";
   const std::string by = " by up to " + number(change) + " of the variance";
   if (answer == Answer::spectral) return "the root of the spectrum changes the autocorrelation" + by;
-  if (problem.corner)
-    return "no surface with this distribution of heights has this autocorrelation: its own differs" + by;
-  if (problem.torus) return "the kernel of the period changes the autocorrelation" + by;
+  if (problem.torus) return no_such_surface(problem) + "; that of the nearest one differs" + by;
   return "no kernel of " + text(kernel.lags) +
          " lags has this autocorrelation; the kernel of the nearest feasible one changes it" + by;
 }
