@@ -133,6 +133,7 @@ void measure_one(cli::Tool& tool, const cli::FieldOptions& field, const Options&
   const cli::AcfResult result = measured(tool, what, surface, data);
   const Parameters lengths = lengths_of(result, what);
   warn_of_lengths(tool, what, lengths, surface.grid, &result.estimate);
+  cli::warn_of_taper(tool, surface, result);
   if (!what.result.dataset()) return cli::print(tool, lengths);
   const cli::Inventory before(data);
   add_acf(data, result, lengths, content(surface, what));

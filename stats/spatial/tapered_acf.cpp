@@ -1,6 +1,7 @@
 #include "stats/spatial/tapered_acf.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -119,6 +120,26 @@ struct Window {
   }
 };
 
+Window window_of(const Field& z, const Grid& grid) {
+  Window out(grid);
+  if (has_missing(z)) out.towards_holes = ramps(z);
+  return out;
+}
+
+// W(1,0) and W(0,1) over W(0,0).
+std::array<double, 2> window_at_one_lag(const Window& window, const Grid& grid) {
+  const auto [nx, ny] = grid.shape;
+  const bool around = grid.periodic.both();
+  double whole = 0, x = 0, y = 0;
+  for (Index i = 0; i < nx; ++i) {
+    const auto row = window.row(i).eval();
+    whole += row.square().sum();
+    if (i + 1 < nx || around) x += (row * window.row((i + 1) % nx)).sum();
+    y += (row.head(ny - 1) * row.tail(ny - 1)).sum() + (around ? row(0) * row(ny - 1) : 0);
+  }
+  return {x / whole, y / whole};
+}
+
 // Narrow holes are filled; within wide ones the heights do not count.
 Field without_holes(const Field& z, const Grid& grid, const Field& towards_wide_holes) {
   Field out = z;
@@ -142,12 +163,9 @@ void cut(Field& sums, Shape max_lag) {
 
 LagField tapered_autocorrelation(const Field& z, const Grid& grid, Shape max_lag, int threads) {
   AcfParameters{.max_lag = max_lag}.check(grid);
-  Window window(grid);
+  const Window window = window_of(z, grid);
   Field holes_filled;
-  if (has_missing(z)) {
-    window.towards_holes = ramps(z);
-    holes_filled = without_holes(z, grid, window.towards_holes);
-  }
+  if (has_missing(z)) holes_filled = without_holes(z, grid, window.towards_holes);
   const Field& heights = holes_filled.size() > 0 ? holes_filled : z;
   double weight = 0, sum = 0;
   const double base = heights(0, 0);
@@ -165,6 +183,21 @@ LagField tapered_autocorrelation(const Field& z, const Grid& grid, Shape max_lag
   sums /= weight;
   if (max_lag != longest_lags(grid)) cut(sums, max_lag);
   return LagField(std::move(sums));
+}
+
+double slopes_by_taper(const Field& z, const Grid& grid, const LagField& acf) {
+  auto [wx, wy] = window_at_one_lag(window_of(z, grid), grid);
+  const Shape lags = acf.max_lag();
+  if (lags != longest_lags(grid)) {
+    wx *= wendland(1 / static_cast<double>(lags.nx + 1));
+    wy *= wendland(1 / static_cast<double>(lags.ny + 1));
+  }
+  auto slopes = [&grid](double x, double y) {
+    return (grid.shape.nx > 1 ? (1 - x) / (grid.dx * grid.dx) : 0) +
+           (grid.shape.ny > 1 ? (1 - y) / (grid.dy * grid.dy) : 0);
+  };
+  const double share = slopes(wx, wy) / slopes(acf(1, 0) / acf(0, 0), acf(0, 1) / acf(0, 0));
+  return share < 1 ? 1 / std::sqrt(1 - share) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace asperity

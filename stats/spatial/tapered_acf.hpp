@@ -42,4 +42,10 @@ namespace asperity {
 /// DataError("heights", …) where no height counts.
 LagField tapered_autocorrelation(const Field& z, const Grid& grid, Shape max_lag, int threads = 1);
 
+/// By which factor the window and the cut (3) raise the rms slope of twins of this `acf` of the field: by
+/// (2), with W cut too,
+///     1/√(1 - s),   s = Σ (1 - W(1)/W(0))/h² / Σ (1 - R(1)/R(0))/h²                                     (4)
+/// over both axes, lags of one sample h; infinite where s is not below 1.
+double slopes_by_taper(const Field& z, const Grid& grid, const LagField& acf);
+
 }  // namespace asperity

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "dataset/layout.hpp"
 #include "stats/filter/missing.hpp"
+#include "stats/spatial/acf.hpp"
 #include "stats/spatial/tapered_acf.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 #include "tools/cli/lineage.hpp"
@@ -87,6 +90,7 @@ AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads) {
   const ErrorBasis basis = error_basis(surface, threads);
   AcfResult out{
       AcfEstimate(tapered_autocorrelation(surface.heights, surface.grid, max_lag, threads), basis, true)};
+  out.slopes = slopes_by_taper(surface.heights, surface.grid, out.estimate.rho);
   out.moments = moments(surface.heights, surface.variable);
   const EffectiveSampleSize size = basis.size();
   const bool enough = sum_of_valid(surface.heights).count >= static_cast<double>(MeasuredHeights::least),
@@ -94,6 +98,23 @@ AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads) {
   if (enough) out.quantiles = quantiles_of(surface.heights);
   out.marginal = other ? "measured" : "gaussian";
   return out;
+}
+
+void warn_of_taper(const Tool& tool, const Surface& surface, const AcfResult& result) {
+  constexpr double notable = 1.05, tenfold = 10;
+  if (result.slopes <= notable) return;
+  const Shape lags = result.estimate.rho.max_lag();
+  const std::string by =
+      result.slopes < tenfold ? fmt::format("by {:.0f} %", 100 * (result.slopes - 1)) : "tenfold or more";
+  if (lags != longest_lags(surface.grid))
+    return tool.warn("the cut at " + text(lags) + " lags raises the rms slope of twins " + by +
+                     ": allow longer ones (--max-lag)");
+  tool.warn("the taper raises the rms slope of twins " + by +
+            (has_missing(surface.heights)
+                 ? ": it falls to 0 at wide holes; fill them first, or cut out a part without them "
+                   "(asperity-filter --fill, --crop)"
+                 : ": the heights vary too slowly for a map of this size; take off the form (--remove-form "
+                   "plane) or long waves (--lambda-c), or measure a larger map"));
 }
 
 MeasuredHeights quantiles_of(const Field& heights) {

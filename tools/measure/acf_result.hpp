@@ -23,6 +23,7 @@ struct AcfResult {
   std::optional<MeasuredHeights> quantiles = {};
   std::optional<LagField> errors = {};  ///< of the ACF
   const char* marginal = "";            ///< "gaussian", or "measured" of heights that evidently are not
+  double slopes = 1;                    ///< by which factor the taper raises those of twins
   /// Errors, of what prints them.
   std::optional<std::array<ProfileErrors, 2>> profiles = {};
   std::optional<LengthErrors> lengths = {};
@@ -40,6 +41,8 @@ struct AcfContent {
 /// What twins of a surface are drawn with (stats/spatial/tapered_acf.hpp): the ACF of the tapered field, and
 /// the heights.
 AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads);
+/// Warns where the taper raises the rms slope of twins by 5 % and more.
+void warn_of_taper(const Tool& tool, const Surface& surface, const AcfResult& result);
 /// "tukey", or "none" of a periodic surface.
 const char* taper_of(const Grid& grid);
 

@@ -28,7 +28,8 @@ void refuse_without_map(const Tool& tool) {
 void tell(const Tool& tool, const std::string& map, const AcfResult& of) {
   const bool gaussian = std::string_view(of.marginal) == "gaussian";
   const std::string sq = format_quantity(std::stod(number(std::sqrt(of.estimate.variance))), "m");
-  tool.note(fmt::format("twins of {}: Sq {} as the taper weights it, {} (Ssk {:.2g}, Sku {:.2g})", map, sq,
+  tool.note(fmt::format("twins of {}: Sq {} as the taper weights it, {} (Ssk {:.2g}, Sku {:.2g})",
+                        map == "-" ? "standard input" : map, sq,
                         gaussian ? "Gaussian heights are not excluded" : "heights evidently not Gaussian",
                         of.moments.ssk, of.moments.sku));
 }
@@ -37,6 +38,7 @@ void tell(const Tool& tool, const std::string& map, const AcfResult& of) {
 void add_tapered_acf(const Tool& tool, const std::string& map, Dataset& data, Surface surface) {
   const AcfResult result = tapered_acf(surface, longest_lags(surface.grid), tool.thread_count());
   tell(tool, map, result);
+  warn_of_taper(tool, surface, result);
   surface.heights.resize(0, 0);
   drop_surface(data, "kernel");  // the map's results are not missed in its twins
   add_acf(data, result, {}, {surface.variable, surface.units, false, taper_of(surface.grid)});
