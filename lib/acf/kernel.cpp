@@ -239,8 +239,8 @@ KernelCost root_cost(Shape torus) { return {20 * unknowns(torus), 0}; }
 
 void check_memory(KernelCost cost, double memory, Shape torus) {
   if (cost.memory > memory)
-    throw ParameterError("memory", megabytes(memory) + ": a kernel of the period, " + text(torus) +
-                                       " points, takes some " + megabytes(cost.memory));
+    throw ParameterError("memory", megabytes(memory) + ": the spectrum on a torus of " + text(torus) +
+                                       " points takes some " + megabytes(cost.memory));
 }
 
 void check_memory(const KernelRequest& request, Shape lags, KernelCost cost) {
