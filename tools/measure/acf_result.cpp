@@ -111,8 +111,7 @@ void warn_of_taper(const Tool& tool, const Surface& surface, const AcfResult& re
                      ": allow longer ones (--max-lag)");
   tool.warn("the taper raises the rms slope of twins " + by +
             (has_missing(surface.heights)
-                 ? ": it falls to 0 at wide holes; fill them first, or cut out a part without them "
-                   "(asperity-filter --fill, --crop)"
+                 ? ": it falls to 0 at wide holes; cut out a part without them (asperity-filter --crop)"
                  : ": the heights vary too slowly for a map of this size; take off the form (--remove-form "
                    "plane) or long waves (--lambda-c), or measure a larger map"));
 }

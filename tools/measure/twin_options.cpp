@@ -25,9 +25,9 @@ void refuse_without_map(const Tool& tool) {
     if (tool.given(std::string("--") + option)) throw UsageError(option, "needs --like");
 }
 
-void tell(const Tool& tool, const std::string& map, const AcfResult& of) {
+void tell(const Tool& tool, const std::string& map, const AcfResult& of, const std::string& unit) {
   const bool gaussian = std::string_view(of.marginal) == "gaussian";
-  const std::string sq = format_quantity(std::stod(number(std::sqrt(of.estimate.variance))), "m");
+  const std::string sq = format_quantity(std::stod(number(std::sqrt(of.estimate.variance))), unit);
   tool.note(fmt::format("twins of {}: Sq {} as the taper weights it, {} (Ssk {:.2g}, Sku {:.2g})",
                         map == "-" ? "standard input" : map, sq,
                         gaussian ? "Gaussian heights are not excluded" : "heights evidently not Gaussian",
@@ -37,7 +37,7 @@ void tell(const Tool& tool, const std::string& map, const AcfResult& of) {
 // Of tables as large as twice the surface, no more than two at a time.
 void add_tapered_acf(const Tool& tool, const std::string& map, Dataset& data, Surface surface) {
   const AcfResult result = tapered_acf(surface, longest_lags(surface.grid), tool.thread_count());
-  tell(tool, map, result);
+  tell(tool, map, result, surface.units);
   warn_of_taper(tool, surface, result);
   surface.heights.resize(0, 0);
   drop_surface(data, "kernel");  // the map's results are not missed in its twins
