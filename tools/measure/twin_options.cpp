@@ -25,6 +25,14 @@ void refuse_without_map(const Tool& tool) {
     if (tool.given(std::string("--") + option)) throw UsageError(option, "needs --like");
 }
 
+// --size is that of the twins.
+Dataset read_map(const Tool& tool, const std::string& name) try {
+  return tool.read(name);
+} catch (const DataError& error) {
+  if (std::string_view(error.what()).find("`size`") == std::string_view::npos) throw;
+  throw DataError(error.name, "the file does not give the size of the map: asperity-convert --size adds it");
+}
+
 void tell(const Tool& tool, const std::string& map, const AcfResult& of, const std::string& unit) {
   const bool gaussian = std::string_view(of.marginal) == "gaussian";
   const std::string sq = format_quantity(std::stod(number(std::sqrt(of.estimate.variance))), unit);
@@ -61,7 +69,7 @@ void TwinOptions::declare(Tool& tool) {
 std::optional<AcfTable> TwinOptions::table(const Tool& tool, GenerateOptions& generate) const {
   if (!tool.given("--like")) return refuse_without_map(tool), std::nullopt;
   refuse_beside_map(tool);
-  Dataset data = tool.read(like);
+  Dataset data = read_map(tool, like);
   tool.reads(like);  // no output replaces the map
   Surface surface = map.read(tool, data);
   const bool periodic = surface.grid.periodic.both();
