@@ -175,6 +175,10 @@ void measure_several(cli::Tool& tool, const cli::FieldOptions& field, const Opti
       },
       several);
   warn_of_lengths(tool, what, mean_lengths(mean->lengths()), mean->grid());
+  if (what.tapered)
+    tool.note(
+        "twins of the mean of several surfaces have Gaussian heights, unless asperity-generate --marginal "
+        "says otherwise");
   if (!what.result.dataset()) return cli::print(tool, cli::ensemble_table(mean->lengths()));
   Dataset data = mean->dataset();
   tool.write(data);

@@ -215,8 +215,13 @@ KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Datase
   return tables;
 }
 
-// What errors of the surface ask for of the autocorrelation, in place of the kernel.
+// What errors of the surface ask for of the autocorrelation, in place of the kernel. A corner's has as many lags as
+// the surface has points, and is not carried: cut off, it would be that of another surface.
 void carry_correlation(Dataset& data, const KernelTables& tables, const Grid& grid) {
+  if (tables.corner) {
+    for (const char* table : {"kernel", "acf_target", "acf_achieved"}) drop_variable(data, table);
+    return;
+  }
   const Shape lags = lags_of_errors(grid);
   auto asked = [lags](const Field& table) -> Field {
     const Index rows = std::min(table.rows(), lags.nx + 1), columns = std::min(table.cols(), 2 * lags.ny + 1);

@@ -352,7 +352,7 @@ void KernelProblem::lay_out(const Tool& tool, Shape surface, bool periodic) {
 Shape KernelProblem::lags_kept() const {
   const Shape all = *request.target.known;
   if (!corner || keeps_kernel) return all;
-  return {std::min(all.nx, corner->nx / 4 + 1), std::min(all.ny, corner->ny / 4 + 1)};
+  return {std::min<Index>(all.nx, 2), std::min<Index>(all.ny, 2)};
 }
 
 void KernelProblem::narrow(Shape surface) {

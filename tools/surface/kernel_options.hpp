@@ -71,7 +71,7 @@ struct KernelProblem {
   std::optional<Shape> corner = {};  ///< the largest one
   bool keeps_kernel = true;          ///< with all of its lags; surfaces are drawn from the root alone
   int threads = 1;
-  /// Of the tables on a torus: all, or, of a corner without its kernel, up to a quarter of its sides.
+  /// Of the tables on a torus: all, or, of a corner without its kernel, lag one, which tells the slope.
   Shape lags_kept() const;
   std::optional<EllipticTarget> model;  ///< of a target that is no table
   std::optional<BandLimited> band;      ///< the target of that period, of --cutoff
