@@ -25,6 +25,8 @@ synthesis_time-2 noise transforms surface surface_2 ratio
 synthesis_time-3 direct transform ratio
 synthesis_time-4 kernel surface
 tool_time-1 tool library ratio fields
+twins-2 seconds
+twins-3 seconds processor fields
 '
 
 # lasting FOLDER TABLE: the table without these columns.
