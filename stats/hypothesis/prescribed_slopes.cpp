@@ -191,7 +191,7 @@ void PrescribedSlopes::set_summits(const LagField& rho, const Grid& grid) {
 void PrescribedSlopes::draw_summits(const LagField& rho, const Grid& grid, int threads, std::uint64_t seed) {
   constexpr Index all_points = 400000, fewest = 40, most = 200;
   if (!(summits.value > 0)) return;
-  const FieldModel model = small_model(rho, grid);
+  const FieldModel model = small_model(rho.within(grid.shape), grid);  // a drawn surface carries little more
   const RandomFields fields(model, seed);
   const Index k = std::clamp(all_points / model.grid.shape.cells(), fewest, most);
   Eigen::ArrayXd counts(k);

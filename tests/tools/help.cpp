@@ -67,7 +67,7 @@ TEST_CASE("an unknown option is answered with what was meant", "[help][contract]
   CHECK_THAT(refusal("asperity-convert --crop 0:8,0:8"), EndsWith("--crop: it belongs to asperity-filter\n"));
   CHECK_THAT(refusal("asperity-generate -lenght 3px"), EndsWith("-lenght: did you mean --length?\n"));
   CHECK_THAT(refusal("asperity-kernel --remove-form plane"),
-             EndsWith("it belongs to asperity-acf, asperity-pdf, asperity-psd and 3 other tools\n"));
+             EndsWith("it belongs to asperity-acf, asperity-generate, asperity-pdf and 4 other tools\n"));
   CHECK_THAT(refusal("asperity --threads 2"), EndsWith("--threads: the options of a tool follow its name\n"));
   CHECK_THAT(refusal("asperity-stats --qwertyuiop"), EndsWith("there is no option --qwertyuiop\n"));
   CHECK_THAT(refusal("asperity-contact --one --two"),

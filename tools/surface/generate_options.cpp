@@ -215,8 +215,8 @@ KernelTables tables_for(const Tool& tool, const GenerateOptions& o, const Datase
   return tables;
 }
 
-// What errors of the surface ask for of the autocorrelation, in place of the kernel. A corner's has as many lags as
-// the surface has points, and is not carried: cut off, it would be that of another surface.
+// What errors of the surface ask for of the autocorrelation, in place of the kernel. A corner's has as many
+// lags as the surface has points, and is not carried: cut off, it would be that of another surface.
 void carry_correlation(Dataset& data, const KernelTables& tables, const Grid& grid) {
   if (tables.corner) {
     for (const char* table : {"kernel", "acf_target", "acf_achieved"}) drop_variable(data, table);
