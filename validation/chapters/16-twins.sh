@@ -57,7 +57,8 @@ table twins-4
 text <<'END'
 A twin has the spectrum of scratches, feed marks and steps, not these themselves, and its tops lie elsewhere: under the smallest load
 the AFM map touches with some six cells, and which ones is chance. Under every load it has 1.4 to 1.9 times the area of its twins,
-which is more than they differ by. Its summits are flatter than theirs; whether that is why, one ball at one place does not tell.
+more than their deviation; why, one ball at one place does not tell. The profiler's twins have twice the summits of the map, where
+those of the six models have the map's within a few per cent: its heights are not Gaussian, and it is few correlation lengths wide.
 `asperity-stats MAP TWIN... --compare` says in what a map differs from its twins, here from the same; z is the difference in standard
 errors:
 END
