@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/memory.hpp"
 #include "dataset/unread.hpp"
 #include "tools/cli/file_identity.hpp"
 #include "tools/cli/ordered_work.hpp"
@@ -75,6 +76,7 @@ bool has_default_model(const cli::Tool& tool, const cli::GenerateOptions& option
 }  // namespace
 
 int main(int argc, char** argv) {
+  return_freed_memory();  // of the map and its autocorrelation, before twins are drawn
   cli::Tool tool(
       "asperity-generate",
       "Draws random rough surfaces with a prescribed autocorrelation and height distribution: those of "
