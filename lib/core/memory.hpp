@@ -39,7 +39,7 @@ inline Field large_field(Shape shape) {
   return out;
 }
 
-/// From here on a freed block of 1 MiB or more goes back to the system at once. Otherwise glibc comes to keep
+/// From here on a freed block of 1 MiB or more goes back to the system at once. Else glibc comes to keep
 /// those of up to 32 MiB, so that a run holds all arrays that it ever had. Costs the first access to its pages
 /// for each block.
 inline void return_freed_memory() {
