@@ -40,8 +40,8 @@ inline Field large_field(Shape shape) {
 }
 
 /// From here on a freed block of 1 MiB or more goes back to the system at once. Else glibc comes to keep
-/// those of up to 32 MiB, so that a run holds all arrays that it ever had. Costs the first access to its pages
-/// for each block.
+/// those of up to 32 MiB, so that a run holds all arrays that it ever had. Costs the first access to the
+/// pages of each block.
 inline void return_freed_memory() {
 #ifdef M_MMAP_THRESHOLD
   ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
