@@ -24,8 +24,7 @@ struct Options {
 report::Group group_of(const cli::Tool& tool, const Sample& sample, const Preparation& preparation,
                        Group group, const std::string& title) try {
   const MeasureOptions options{.groups = {group}, .preparation = preparation};
-  Parameters rows = measure(sample, group, options);
-  cli::errors_by_twins(tool, sample, options, TwinUse::where_quick, rows);
+  const Parameters rows = measure(sample, group, options);
   if (group == Group::spatial) warn_of_decays(tool, rows, options.sal_level, sample.grid());
   return {title, rows, missing(rows)};
 } catch (const DataError& error) {

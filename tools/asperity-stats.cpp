@@ -36,7 +36,7 @@ struct Warnings {
   }
 };
 
-// The groups asked for, with errors by theory.
+// The groups asked for.
 Measured measured(const cli::Tool& tool, const std::string& variable, const MeasureOptions& asked,
                   const Sample& sample) {
   Measured out{.rows = {}, .size = sample.size()};
@@ -57,17 +57,11 @@ Measured measured(const cli::Tool& tool, const std::string& variable, const Meas
   return out;
 }
 
-// As asked for by --errors.
-void settle_errors(const cli::Tool& tool, const std::string& errors, const MeasureOptions& asked,
-                   const Sample& sample, bool alone, Parameters& all) {
-  if (errors == "none")
-    for (Parameter& p : all) {
-      p.standard_error = NAN, p.interval.reset();
-      if (std::isfinite(p.value)) p.why.clear();  // else why there is no value
-    }
-  const bool everywhere = errors == "twins";
-  if (everywhere || (errors == "auto" && alone))
-    cli::errors_by_twins(tool, sample, asked, everywhere ? TwinUse::everywhere : TwinUse::where_quick, all);
+void drop_errors(Parameters& all) {
+  for (Parameter& p : all) {
+    p.standard_error = NAN, p.interval.reset();
+    if (std::isfinite(p.value)) p.why.clear();  // else why there is no value
+  }
 }
 
 Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const MeasureOptions& asked,
@@ -84,7 +78,7 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const
   }
   const Sample sample(std::move(surface), tool.thread_count());
   Measured out = measured(tool, field.variable, asked, sample);
-  settle_errors(tool, options.errors, asked, sample, member.alone(), out.rows);
+  if (options.errors == "none") drop_errors(out.rows);
   return out;
 }
 

@@ -1,11 +1,10 @@
 /// Whether the errors printed beside parameters are those that simulation finds, whatever the texture.
 ///
-///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [TWINS [OUTLINE]]]]]]]
+///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [OUTLINE]]]]]]
 ///
 /// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
 /// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors of
-/// parameters are those of asperity-stats --errors theory, or of auto and so many TWINS
-/// (stats/twins/twin_errors.hpp); with a minus sign, of twins alone. OUTLINE is one of outlines.hpp.
+/// parameters are those of asperity-stats. OUTLINE is one of outlines.hpp.
 ///
 /// First table, one row a parameter and texture:
 ///
@@ -23,13 +22,14 @@
 /// (`textures`, `of` how many), the least and the greatest `covered` and `ratio`.
 ///
 /// The truth is the mean over eight fields of four times the sides, of effective sample sizes that of the
-/// true correlation, and of spectra its transform; of what depends on the size (extremes, counts, profiles)
-/// the mean of the values. Spectra are measured on rectangles only.
+/// true correlation, and of spectra its transform; of what depends on the size (extremes, counts, profiles),
+/// and of sizes and spectra of textures.hpp's made ones, the mean of the values. Spectra are measured on rectangles only.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -37,13 +37,13 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "made_textures.hpp"
 #include "outlines.hpp"
 #include "spectrum_points.hpp"
 #include "stats/height/distribution.hpp"
 #include "stats/height/kernel_density.hpp"
 #include "stats/measure.hpp"
 #include "stats/measure/acf_estimate.hpp"
-#include "stats/twins/twin_errors.hpp"
 #include "textures.hpp"
 #include "timing.hpp"
 
@@ -59,7 +59,6 @@ struct Setting {
   Shape shape{128, 128};
   double length = 4;
   int degree = 0;
-  Index twins = 0;
   std::string outline = "rectangle";
 
   // Beyond which no texture is correlated.
@@ -88,7 +87,7 @@ void add_distribution(Parameters& out, const Sample& sample) {
 }
 
 // All that has an error; the truth of spectra is not measured.
-Parameters measured(const Field& heights, int degree, bool spectra, Index twins = 0) {
+Parameters measured(const Field& heights, int degree, bool spectra) {
   const Grid grid = grid_of(shape_of(heights));
   MeasureOptions options;
   options.groups = {Group::height, Group::quantiles, Group::material,
@@ -99,11 +98,6 @@ Parameters measured(const Field& heights, int degree, bool spectra, Index twins 
   Parameters out;
   for (const Group group : options.groups)
     std::ranges::copy(measure(sample, group, options), std::back_inserter(out));
-  if (twins != 0) {
-    options.preparation.form.degree = degree;
-    errors_by_twins(sample, options, twins > 0 ? TwinUse::where_needed : TwinUse::everywhere,
-                    {.twins = std::abs(twins)}, out);
-  }
   add_distribution(out, sample);
   const AcfEstimate acf = AcfEstimate::of(surface, {.max_lag = default_max_lag(grid)});
   const LengthErrors lengths(acf, surface.heights, 0.1);
@@ -242,23 +236,32 @@ void judge(const textures::Texture& texture, const Setting& setting, Ranges& ran
   std::mt19937_64 random(2026);
   std::map<std::string, Column> columns;
   std::vector<std::string> names;
-  const textures::Draw draw(texture, setting.shape, setting.reach());
+  const auto drawn = [&](Shape shape) -> std::function<Field()> {
+    if (texture.make) return [&texture, &random, shape] { return texture.make(shape, random); };
+    const auto draw = std::make_shared<textures::Draw>(texture, shape, setting.reach());
+    return [draw, &random] { return (*draw)(random); };
+  };
+  const auto draw = drawn(setting.shape);
   const Field points = outlines::points(setting.outline, setting.shape);
   const bool complete = !has_missing(points);
   for (int f = 0; f < setting.fields; ++f)
-    for (const Parameter& p : measured(points * draw(random), setting.degree, complete, setting.twins)) {
+    for (const Parameter& p : measured(points * draw(), setting.degree, complete)) {
       if (!columns.contains(p.name)) names.push_back(p.name);
       columns[p.name].all.push_back(p);
     }
-  const textures::Draw wide(texture, {large * nx, large * ny}, setting.reach());
+  const auto wide = drawn({large * nx, large * ny});
   std::map<std::string, Column> truths;
   for (int f = 0; f < large_fields; ++f)
-    for (const Parameter& p : measured(wide(random), 0, false)) truths[p.name].all.push_back(p);
-  for (const Parameter& p : true_spectrum_points(texture, setting.shape, micrometre, setting.reach()))
-    truths[p.name].all.push_back(p);
-  const std::map<std::string, double> sizes = true_sizes(texture, setting);
-  const double n_eff =
-      static_cast<double>((!points.isNaN()).count()) / textures::correlated_points(texture, setting.reach());
+    for (const Parameter& p : measured(wide(), 0, false)) truths[p.name].all.push_back(p);
+  std::map<std::string, double> sizes;
+  double n_eff = columns["N_eff"].mean();
+  if (texture.correlation) {
+    for (const Parameter& p : true_spectrum_points(texture, setting.shape, micrometre, setting.reach()))
+      truths[p.name].all.push_back(p);
+    sizes = true_sizes(texture, setting);
+    n_eff = static_cast<double>((!points.isNaN()).count()) /
+            textures::correlated_points(texture, setting.reach());
+  }
   for (const std::string& name : names) {
     Column& column = columns[name];
     if (sizes.contains(name)) column.truth = sizes.at(name);
@@ -284,11 +287,12 @@ int main(int argc, char** argv) {
   }
   if (argc > 4) setting.length = std::atof(argv[4]);
   if (argc > 5) setting.degree = std::atoi(argv[5]);
-  if (argc > 6) setting.twins = std::atol(argv[6]);
-  if (argc > 7) setting.outline = argv[7];
+  if (argc > 6) setting.outline = argv[6];
   fmt::print("# texture\tN_eff\tparameter\tknown\tcovered\topen\tratio\tbias\n");
   Ranges ranges;
-  for (const textures::Texture& texture : textures::all(setting.length))
+  std::vector<textures::Texture> all = textures::all(setting.length);
+  std::ranges::move(textures::made(setting.length), std::back_inserter(all));
+  for (const textures::Texture& texture : all)
     if (only == "all" || only == texture.name) judge(texture, setting, ranges);
   ranges.print();
 }

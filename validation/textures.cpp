@@ -87,7 +87,10 @@ std::vector<Texture> all(double l) {
           {"lognormal", iso, [](double y) { return std::exp(0.3 * y); }},
           {"Weibull", iso, [](double y) { return std::pow(-std::log(share(-y)), 1 / 1.5); }},
           {"plateau", iso, plateau},
-          {"bimodal", iso, bimodal}};
+          {"bimodal", iso, bimodal},
+          {"crossed", [l](double x, double y) { return 0.5 * (lay(x, y, l) + lay(y, x, l)); }},
+          {"chi_squared", iso, [](double y) { return y * y; }},
+          {"levels", iso, [](double y) { return std::clamp(std::floor(1.6 * y), -4.0, 3.0); }}};
 }
 
 namespace {

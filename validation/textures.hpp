@@ -17,6 +17,7 @@ struct Texture {
   std::string name;
   std::function<double(double, double)> correlation;  ///< of unit variance; of the Gaussian field
   std::function<double(double)> heights = {};  ///< of a Gaussian height of unit variance; empty: itself
+  std::function<Field(Shape, std::mt19937_64&)> make = {};  ///< instead of both, for made_textures.hpp
 };
 
 /// Of correlation length l samples along y, and some times more along x:
@@ -26,6 +27,8 @@ struct Texture {
 ///     lay along, lay across        exp(-r) cos(2π x'/3), lengths 4:1
 ///     two scales                   half white noise, the rest exponential
 ///     lognormal, Weibull, plateau, bimodal    heights of an exponential field
+///     crossed                      two lays at right angles
+///     chi_squared, levels          squares of an exponential field; its heights in eight steps
 std::vector<Texture> all(double length);
 
 /// Of the heights, at lags up to `reach` along each axis and zero beyond: by the Hermite series of the

@@ -95,7 +95,7 @@ void set_errors(std::vector<Bin>& bins, const Field& z, const Grid& grid, const 
       return classes.below(bins[b].upper + delta) - classes.below(bins[b].lower + delta);
     }));
   }
-  set_intervals(shares, 1, classes.errors().degrees());
+  set_intervals(shares, 1);
   for (std::size_t b = 0; b < bins.size(); ++b) bins[b].share = shares[b];
 }
 
@@ -109,7 +109,7 @@ HeightClasses::HeightClasses(const Field& z, const Grid& grid, const FieldExtent
     return static_cast<Index>(std::clamp((value - range.lowest) / width, 0.0, last));
   });
   for (Index b = 0; b < range.classes; ++b) below_.push_back(below_.back() + errors_.share(b));
-  if (own_mean) of_mean_ = ShareErrors::Function(errors_).error(1);
+  if (own_mean) of_mean_ = ShareErrors::Function(errors_).error(1).error;
 }
 
 double HeightClasses::below(double height) const {

@@ -112,11 +112,15 @@ class HeightClasses {
   double below(double height) const;
   /// The mean of `of`, a function G of the displacement, with its error and what the ends add.
   Frequency frequency(const ShareErrors::Function& of, double points, const auto& G) const {
-    Frequency out{of.mean(), of.error(), points};
-    if (!(of_mean_ > 0)) return out;
+    Frequency out{.value = of.mean(), .points = points};
+    auto set_error = [&](double slope) {
+      const auto [error, degrees] = of.error(slope);
+      out.error = error, out.degrees = degrees;
+    };
+    if (!(of_mean_ > 0)) return set_error(0), out;
     const double here = G(0), above = G(of_mean_), under = G(-of_mean_),
                  slope = (above - under) / (2 * of_mean_);
-    out.error = of.error(slope);
+    set_error(slope);
     for (const double delta : {-2 * of_mean_, 2 * of_mean_}) {
       const double left = G(delta) - here - slope * delta;
       out.rise = std::max(out.rise, left), out.fall = std::max(out.fall, -left);

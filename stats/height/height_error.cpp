@@ -53,22 +53,22 @@ void HeightErrors::find_power(const Field& x, double points) {
   power_ = (modes * products.sums(zero_filled(x))).squaredNorm() / (static_cast<double>(next_) * points);
 }
 
-double HeightErrors::degrees_of_mean() const { return degree_ == 0 ? degrees() : static_cast<double>(next_); }
-
-double HeightErrors::of_mean() const {
+WaveError HeightErrors::of_mean() const {
   if (degree_ == 0) return (*this)([](const Moments& of) { return of.mean; });
-  return sq_ * std::sqrt(power_) / (1 - loss(1.2 + degree_));
+  return {sq_ * std::sqrt(power_) / (1 - loss(1.2 + degree_)), static_cast<double>(next_)};
 }
 
 double HeightErrors::taken() const {
-  if (degree_ == 0) return std::min(0.5, std::pow(of_mean() / sq_, 2));
+  if (degree_ == 0) return std::min(0.5, std::pow(of_mean().error / sq_, 2));
   const double b = static_cast<double>(taken_) * power_ / std::pow(1 - loss(1.2 + 0.35 * degree_), 2);
   return std::isnan(b) ? b : std::min(0.5, b / (1 + b));
 }
 
+double HeightErrors::error_of_taken() const { return taken() * std::sqrt(2 / of_mean().degrees); }
+
 double HeightErrors::loss(double factor) const { return std::min(0.4, factor / std::sqrt(patches_)); }
 
-double HeightErrors::operator()(const Function& parameter) const {
+WaveError HeightErrors::operator()(const Function& parameter) const {
   return means_.error([&](const Eigen::VectorXd& means) {
     Moments m = moments_of(means);
     m.mean = mean_ + sq_ * m.mean, m.sq *= sq_, m.sa *= sq_;
@@ -88,7 +88,7 @@ QuantileErrors::QuantileErrors(const Field& z, const Grid& grid, const FieldExte
   errors_.accumulate();
 }
 
-double QuantileErrors::with_mean(std::size_t k, double density) const {
+WaveError QuantileErrors::with_mean(std::size_t k, double density) const {
   ShareErrors::Function below(errors_);
   below.add(std::ranges::lower_bound(ascending_, heights_[k]) - ascending_.begin(), 1);
   return below.error(density);

@@ -45,12 +45,11 @@ class HeightErrors {
                int degree = 0, int threads = 1);
 
   /// Of a function of sa, sq, ssk and sku, and of the mean above a mean.
-  double operator()(const Function& parameter) const;
-  double degrees() const { return means_.degrees(); }  ///< of freedom
-  double of_mean() const;
-  double degrees_of_mean() const;
-  /// The share of the variance that the form took, (3).
+  WaveError operator()(const Function& parameter) const;
+  WaveError of_mean() const;
+  /// The share of the variance that the form took, (3), and its error.
   double taken() const;
+  double error_of_taken() const;
 
  private:
   void find_power(const Field& x, double points);
@@ -70,10 +69,9 @@ class QuantileErrors {
   QuantileErrors(const Field& z, const Grid& grid, const FieldExtent& extent, std::vector<double> heights);
 
   /// Of the share below height k.
-  double operator()(std::size_t k) const { return with_mean(k, 0); }
+  WaveError operator()(std::size_t k) const { return with_mean(k, 0); }
   /// Of that share plus `density` times the mean of the field.
-  double with_mean(std::size_t k, double density) const;
-  double degrees() const { return errors_.degrees(); }  ///< of freedom
+  WaveError with_mean(std::size_t k, double density) const;
 
  private:
   std::vector<double> heights_, ascending_;

@@ -139,7 +139,7 @@ void set_errors(std::vector<DensityPoint>& curve, const Field& z, const Grid& gr
     }));
     densities.back().value = point.density;
   }
-  set_intervals(densities, std::numeric_limits<double>::infinity(), classes.errors().degrees());
+  set_intervals(densities, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < curve.size(); ++i) curve[i].frequency = densities[i];
 }
 

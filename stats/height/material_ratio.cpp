@@ -139,7 +139,8 @@ MaterialRatioCurve::Line MaterialRatioCurve::line_from(double start) const {
 }
 
 CoreParameters MaterialRatioCurve::core() const {
-  const auto [upper, lower] = line_from(flattest());
+  const double start = flattest();
+  const auto [upper, lower] = line_from(start);
   const double tiny = round_off();
   auto length = [&](double value) { return value > tiny ? value : 0; };
 
@@ -147,7 +148,8 @@ CoreParameters MaterialRatioCurve::core() const {
                      .smr1 = ratio(upper + tiny),
                      .smr2 = ratio(lower - tiny),
                      .upper = upper,
-                     .lower = lower};
+                     .lower = lower,
+                     .begin = start / last()};
   if (out.smr1 > 0) out.spk = length(2 / out.smr1 * area(0, out.smr1, upper));
   if (out.smr2 < 1) out.svk = length(-2 / (1 - out.smr2) * area(out.smr2, 1, lower));
   return out;

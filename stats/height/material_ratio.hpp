@@ -52,6 +52,7 @@ struct CoreParameters {
   double sk = 0, spk = 0, svk = 0;  ///< unit of the field
   double smr1 = 0, smr2 = 0;        ///< shares, 0 … 1
   double upper = 0, lower = 0;      ///< u, v; unit of the field
+  double begin = 0;                 ///< p₀
 };
 
 /// (4), in the unit of the field: m³/m².

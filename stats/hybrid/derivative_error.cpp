@@ -47,52 +47,81 @@ Derivatives derivatives(const Eigen::VectorXd& m, const Grid& grid) {
   return out;
 }
 
-// The local functions of the points that are a row and a column after those of `rows`.
+// Mean products of slopes of a row of cells, 0 where a corner is missing.
+struct CellRow {
+  Row s20, s11, s02, developed, there;
+
+  // Of the corners in two rows.
+  CellRow(const Row& near, const Row& far, const Grid& grid) {
+    const Index n = near.size() - 1;
+    const Row along_x = (far - near) / grid.dx, x = along_x.head(n), x_next = along_x.tail(n),
+              y = (near.tail(n) - near.head(n)) / grid.dy, y_next = (far.tail(n) - far.head(n)) / grid.dy,
+              x_mean = 0.5 * (x + x_next), y_mean = 0.5 * (y + y_next);
+    auto stretched = [](const Row& g2) -> Row { return g2 / (1 + (1 + g2).sqrt()); };
+    s20 = 0.5 * (x.square() + x_next.square()), s02 = 0.5 * (y.square() + y_next.square());
+    s11 = x_mean * y_mean;
+    developed =
+        0.25 * (stretched(x.square() + y_mean.square()) + stretched(x_next.square() + y_mean.square()) +
+                stretched(y.square() + x_mean.square()) + stretched(y_next.square() + x_mean.square()));
+    there = developed.isNaN().select(Row::Zero(n), Row::Ones(n));
+    for (Row* f : {&s20, &s11, &s02, &developed}) *f = (there > 0).select(*f, 0);
+  }
+};
+
+// The local functions of the points that have all neighbours in the grid. A cell belongs to its corners
+// alike, so that mirror images have the same functions.
 class LocalDerivatives {
  public:
   LocalDerivatives(const Field& z, const Grid& grid)
-      : rows_(z, grid, 2), grid_(grid), found_(find_summits(z, grid)), level_(mean(z)) {}
+      : rows_(z, grid, 2),
+        grid_(grid),
+        first_(grid.periodic.both() ? 0 : 1),
+        found_(find_summits(z, grid)),
+        level_(mean(z)) {}
 
-  Index rows() const { return rows_.rows(); }
-  void operator()(Index i, LocalSums::Values& values) const {
-    const Index n = rows_.columns();
+  void operator()(Index row, LocalSums::Values& values) const {
+    const Index i = row - first_, n = rows_.columns();
+    if (i < 0 || i >= rows_.rows()) return;
     const Row before = rows_(i), here = rows_(i + 1), after = rows_(i + 2);
-    auto left = [n](const Row& row) { return row.head(n); };
-    auto middle = [n](const Row& row) { return row.segment(1, n); };
-    auto right = [n](const Row& row) { return row.tail(n); };
-    const double dx = grid_.dx, dy = grid_.dy;
-    const Row zx = (middle(after) - middle(here)) / dx, zy = (right(here) - middle(here)) / dy,
-              zxx = (middle(before) - 2 * middle(here) + middle(after)) / (dx * dx),
-              zyy = (left(here) - 2 * middle(here) + right(here)) / (dy * dy),
-              zxy = (right(after) - left(after) - right(before) + left(before)) / (4 * dx * dy),
-              z = middle(here) - level_, g2 = zx.square() + zy.square();
-    auto set = [&](Local a, const auto& row) { values.col(a + 1).head(n) = row.matrix().transpose(); };
+    auto set = [&](Local a, const Row& f) { values.col(a + 1).segment(first_, n) = f.matrix().transpose(); };
+    const Row z = here.segment(1, n) - level_;
     set(first, z), set(s00, z.square());
-    // A point counts for none of what needs a neighbour that is missing.
-    auto set_where = [&](const Row& there, Local a, const Row& row) {
-      set(a, Row((there > 0).select(row, 0)));
+    const CellRow nearer(before, here, grid_), farther(here, after, grid_);
+    auto shared = [&](Row CellRow::*f) -> Row {
+      const Row both = nearer.*f + farther.*f;
+      return 0.25 * (both.head(n) + both.tail(n));
     };
-    const Row slopes = g2.isNaN().select(Row::Zero(n), Row::Ones(n));
-    set(sloped, slopes);
-    set_where(slopes, s20, zx.square()), set_where(slopes, s11, zx * zy), set_where(slopes, s02, zy.square());
-    set_where(slopes, developed, g2 / (1 + (1 + g2).sqrt()));
-    // Not a number where a neighbour is missing.
-    const Row around = left(before) + middle(before) + right(before) + left(here) + right(here) +
-                       left(after) + middle(after) + right(after);
-    const Row all = around.isNaN().select(Row::Zero(n), Row::Ones(n));
-    set(surrounded, all);
-    set_where(all, s40, zxx.square()), set_where(all, s31, zxx * zxy), set_where(all, s22, zxx * zyy);
-    set_where(all, s13, zxy * zyy), set_where(all, s04, zyy.square());
-    for (const Local a : {summit, height, square, curvature}) set(a, Row(Row::Zero(n)));
+    set(sloped, shared(&CellRow::there)), set(developed, shared(&CellRow::developed));
+    set(s20, shared(&CellRow::s20)), set(s11, shared(&CellRow::s11)), set(s02, shared(&CellRow::s02));
+    set_curvatures(before, here, after, set);
+    for (const Local a : {summit, height, square, curvature}) set(a, Row::Zero(n));
     for (const FoundSummit& s : found_[size(i)]) {
       const double h = s.height - level_;
-      values.row(s.column).segment(summit + 1, 4) += Eigen::RowVector4d(1, h, h * h, s.curvature);
+      values.row(first_ + s.column).segment(summit + 1, 4) += Eigen::RowVector4d(1, h, h * h, s.curvature);
     }
   }
 
  private:
+  // A point counts for none of them if a neighbour is missing.
+  void set_curvatures(const Row& before, const Row& here, const Row& after, const auto& set) const {
+    const Index n = rows_.columns();
+    auto left = [n](const Row& row) { return row.head(n); };
+    auto middle = [n](const Row& row) { return row.segment(1, n); };
+    auto right = [n](const Row& row) { return row.tail(n); };
+    const double dx = grid_.dx, dy = grid_.dy;
+    const Row zxx = (middle(before) - 2 * middle(here) + middle(after)) / (dx * dx),
+              zyy = (left(here) - 2 * middle(here) + right(here)) / (dy * dy),
+              zxy = (right(after) - left(after) - right(before) + left(before)) / (4 * dx * dy),
+              all = (zxx + zyy + zxy).isNaN().select(Row::Zero(n), Row::Ones(n));
+    set(surrounded, all);
+    auto set_where = [&](Local a, const Row& f) { set(a, Row((all > 0).select(f, 0))); };
+    set_where(s40, zxx.square()), set_where(s31, zxx * zxy), set_where(s22, zxx * zyy);
+    set_where(s13, zxy * zyy), set_where(s04, zyy.square());
+  }
+
   NeighbourRows rows_;
   Grid grid_;
+  Index first_;  // row and column of the grid
   SummitRows found_;
   double level_;
 };
@@ -100,7 +129,7 @@ class LocalDerivatives {
 LocalSums sums_of(const Field& z, const Grid& grid, int threads) {
   LocalSums out(grid, local);
   const LocalDerivatives functions(z, grid);
-  out.add_rows(functions.rows(), threads, functions);
+  out.add_rows(grid.shape.nx, threads, functions);
   return out;
 }
 
@@ -138,7 +167,7 @@ std::string DerivativeErrors::too_few_curvatures() const {
   return too_few_points(means_, points_, surrounded, "all eight neighbours");
 }
 
-double DerivativeErrors::operator()(const Function& parameter) const {
+WaveError DerivativeErrors::operator()(const Function& parameter) const {
   return means_.error([&](const Eigen::VectorXd& means) { return parameter(derivatives(means, grid_)); });
 }
 

@@ -3,6 +3,9 @@
 /// Products of derivatives, z², and counts and products at summits are local functions of the field: their
 /// means have the errors of stats/uncertainty/long_waves.hpp, and a parameter is a function of these means.
 ///
+/// Products of slopes are those of cells, each shared by its four corners, with the mean slopes of its sides
+/// in x and in y for the mixed product.
+///
 /// Means over the points that have the neighbours they need are ratios of two means over the measured ones.
 /// A function of n such points holds n - 1 orthonormal waves and its mean, which have its whole variance:
 /// of n > 10 K of them the K longest are a tenth or less. Of fewer points there is no error; of one it would
@@ -39,13 +42,12 @@ class DerivativeErrors {
 
   DerivativeErrors(const Field& z, const Grid& grid, const FieldExtent& extent, int threads = 1);
 
-  double operator()(const Function& parameter) const;
+  WaveError operator()(const Function& parameter) const;
   /// Why what rests on slopes, or on curvatures and summits, has no error; "" where it has one.
   std::string too_few_slopes() const;
   std::string too_few_curvatures() const;
   /// The factor by which a form that took this share of the variance of the heights changed a parameter.
   double left(const Function& parameter, double taken) const;
-  double degrees() const { return means_.degrees(); }  ///< of freedom
 
  private:
   Grid grid_;

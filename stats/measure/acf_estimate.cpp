@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "stats/measure/groups.hpp"
-#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
@@ -48,8 +47,8 @@ AcfDeviations deviations_of(const AcfEstimate& estimate, const LagWaves& waves) 
 
 // At lags up to half the field few will do: time and memory grow with their number.
 LagWaves waves_of(const AcfEstimate& estimate, const Field& heights, Shape max_lag, int threads,
-                  LagWaves::Number number = LagWaves::Number::all) {
-  return {heights, estimate.grid(), max_lag, estimate.basis.extent(), threads, number};
+                  double most = LongWaves::reach) {
+  return {heights, estimate.grid(), max_lag, estimate.basis.extent(), threads, most};
 }
 
 // The lengths at one level, of a target or of the estimate; only the latter has errors.
@@ -128,8 +127,8 @@ AcfEstimate AcfEstimate::of(const Surface& surface, const AcfParameters& paramet
 
 namespace {
 
-LagField acf_errors(const AcfEstimate& estimate, const LagWaves& waves, bool absolute) {
-  const LagField errors = absolute ? waves.of_covariance() : waves.of_ratio(estimate.rho).errors();
+LagField acf_errors(const AcfEstimate& estimate, const AcfDeviations& deviations, bool absolute) {
+  const LagField errors = deviations.errors();
   return LagField::of(errors.max_lag(), [&](Index p, Index q) {
     if (!estimate.size.gives_errors()) return unknown;
     if (!absolute && p == 0 && q == 0) return 0.0;
@@ -137,23 +136,27 @@ LagField acf_errors(const AcfEstimate& estimate, const LagWaves& waves, bool abs
   });
 }
 
+AcfDeviations deviations_of(const AcfEstimate& estimate, const LagWaves& waves, bool absolute) {
+  return absolute ? waves.of_covariance() : waves.of_ratio(estimate.rho);
+}
+
 }  // namespace
 
 LagField acf_errors(const AcfEstimate& estimate, const Field& heights, bool absolute, int threads) {
-  return acf_errors(estimate,
-                    waves_of(estimate, heights, estimate.rho.max_lag(), threads, LagWaves::Number::few),
-                    absolute);
+  const LagWaves waves = waves_of(estimate, heights, estimate.rho.max_lag(), threads, LongWaves::near);
+  return acf_errors(estimate, deviations_of(estimate, waves, absolute), absolute);
 }
 
 ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, bool along_x, bool absolute,
                              int threads) {
   const Shape lags = along_x ? Shape{estimate.rho.max_p(), 0} : Shape{0, estimate.rho.max_q()};
-  const LagWaves waves = waves_of(estimate, heights, lags, threads, LagWaves::Number::few);
+  const LagWaves waves = waves_of(estimate, heights, lags, threads, LongWaves::near);
   auto profile = [&](const LagField& errors) -> Eigen::ArrayXd {
     return along_x ? errors.along_x() : errors.along_y();
   };
-  ProfileErrors out{profile(acf_errors(estimate, waves, absolute)), profile(waves.of_structure()),
-                    student_quantile(0.025, waves.degrees()), Eigen::ArrayXd()};
+  const AcfDeviations of_acf = deviations_of(estimate, waves, absolute), of_structure = waves.of_structure();
+  ProfileErrors out{profile(acf_errors(estimate, of_acf, absolute)), profile(of_structure.errors()),
+                    of_acf.quantile(0.025), Eigen::ArrayXd()};
   out.structure(0) = 0;
   const double left = 1 - estimate.size.taken_by_form();
   const LagField near = estimate.rho.within(lags);

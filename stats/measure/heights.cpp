@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "core/words.hpp"
+#include "stats/height/extreme_error.hpp"
+#include "stats/height/material_error.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "stats/measure/groups.hpp"
 #include "stats/measure/quantile_estimates.hpp"
-#include "stats/sample/quantiles.hpp"
+#include "stats/spatial/acf_length.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 
@@ -18,11 +20,30 @@ namespace {
 
 // ---- moments ----
 
+// Why what rests on the tails of the heights has no error; "" where it may have one.
+std::string too_few_patches(const Sample& sample, double least) {
+  if (!sample.size().gives_errors()) return "no standard error can be given: " + too_few(sample.size());
+  const double patches = sample.extent().patches;
+  if (patches >= least) return "";
+  return "no standard error: there are " + rounded(patches) + " independent patches, fewer than " +
+         shortest(least);
+}
+
+// Of a length, which the form has lowered.
+Interval freed_of_form(const Sample& sample, double value, const WaveError& of) {
+  const double width = WaveError{std::hypot(of.error / value, 0.5 * sample.error_of_taken()), of.degrees}
+                           .half_width(),
+               freed = value / std::sqrt(1 - sample.taken_by_form());
+  return Interval::of(value, std::min(value, freed * std::exp(-width)),
+                      std::max(value, freed * std::exp(width)));
+}
+
 struct Heights {
   const Sample& sample;
   MomentErrors error = {};
   MomentIntervals interval = {};
-  std::string of_mean = {}, of_extremes = {};  // why they have no error; "" where they may have one
+  std::string of_mean = {};  // why it has no error; "" where it may have one
+  Estimate sp = {unknown}, sv = {unknown};
 
   const Moments& m() const { return sample.moments(); }
 };
@@ -31,9 +52,18 @@ template <auto value, auto error, auto interval>
 Estimate moment(const Heights& h) {
   return {h.m().*value, h.error.*error, h.interval.*interval};
 }
-template <auto value>
-Estimate extreme(const Heights& h) {
-  return {.value = h.m().*value, .why = h.of_extremes};
+
+// Summits and pits are independent.
+Estimate sum_of_extremes(const Heights& h) {
+  const double value = h.m().sz();
+  Estimate out{.value = value,
+               .standard_error = std::hypot(h.sp.standard_error, h.sv.standard_error),
+               .why = h.sp.why.empty() ? h.sv.why : h.sp.why};
+  if (!h.sp.interval || !h.sv.interval) return out;
+  const Interval &p = *h.sp.interval, &v = *h.sv.interval;
+  out.interval = Interval::of(value, value - std::hypot(h.sp.value - p.low, h.sv.value - v.low),
+                              value + std::hypot(p.high - h.sp.value, v.high - h.sv.value));
+  return out;
 }
 
 // The kurtosis of any distribution is 1 at least.
@@ -59,10 +89,9 @@ constexpr Definition<Heights> height_table[] = {
      moment<&Moments::ssk, &MomentErrors::ssk, &MomentIntervals::ssk>},
     {"Sku", "1", "kurtosis, 3 for a Gaussian",
      moment<&Moments::sku, &MomentErrors::sku, &MomentIntervals::sku>},
-    {"Sp", of_field, "maximum peak height of the whole field", extreme<&Moments::sp>},
-    {"Sv", of_field, "maximum pit depth of the whole field", extreme<&Moments::sv>},
-    {"Sz", of_field, "maximum height Sp + Sv",
-     [](const Heights& h) { return Estimate{.value = h.m().sz(), .why = h.of_extremes}; }},
+    {"Sp", of_field, "maximum peak height of the whole field", [](const Heights& h) { return h.sp; }},
+    {"Sv", of_field, "maximum pit depth of the whole field", [](const Heights& h) { return h.sv; }},
+    {"Sz", of_field, "maximum height Sp + Sv", sum_of_extremes},
     {"N", "1", "number of points", [](const Heights& h) { return Estimate{h.sample.size().points()}; }}};
 
 // For the distribution that the field was drawn with or evidently has; none for a Gaussian's.
@@ -76,32 +105,28 @@ std::optional<TranslationErrors> translation_errors(const Sample& sample) {
 // From the field's own long waves, whatever its heights.
 Heights by_long_waves(const Sample& sample, const HeightErrors& errors) {
   const Moments& m = sample.moments();
-  const double t = student_quantile(0.025, errors.degrees());
   Heights out{sample};
-  out.error = {.mean = errors.of_mean(),
-               .sa = errors([](const Moments& of) { return of.sa; }),
-               .sq = errors([](const Moments& of) { return of.sq; }),
-               .ssk = errors([](const Moments& of) { return of.ssk; }),
-               .sku = errors([](const Moments& of) { return of.sku; })};
-  // Heavy tails, of which the field may have few heights, are in the distribution that it evidently has.
+  const WaveError mean = errors.of_mean(), sa = errors([](const Moments&of) { return of.sa; }),
+                  sq = errors([](const Moments&of) { return of.sq; }),
+                  ssk = errors([](const Moments&of) { return of.ssk; }),
+                  sku = errors([](const Moments&of) { return of.sku; });
+  out.error = {mean.error, sa.error, sq.error, ssk.error, sku.error};
+  // Heavy tails, of which the field may have few heights, are in the distribution that it evidently has; its
+  // own waves are low by a factor of three at most (patchy fields), and a distribution knows no bound.
   if (const auto theory = translation_errors(sample)) {
+    constexpr double most = 3;
     const MomentErrors of_tails = theory->standard_errors(m.sq);
-    out.error.ssk = std::max(out.error.ssk, of_tails.ssk);
-    out.error.sku = std::max(out.error.sku, of_tails.sku);
+    auto widen = [](double& error, double to) { error = std::clamp(to, error, most * error); };
+    widen(out.error.ssk, of_tails.ssk), widen(out.error.sku, of_tails.sku);
   }
-  const double taken = errors.taken(), left = std::sqrt(1 - taken),
-               of_taken = taken / std::sqrt(2 * errors.degrees_of_mean());
-  auto of_scale = [&](double value, double error) {
-    const double width = t * std::hypot(error / value, of_taken);
-    return Interval::of(value, std::min(value, value / left * std::exp(-width)),
-                        value / left * std::exp(width));
+  auto half_width = [](double error, const WaveError& of) {
+    return WaveError{error, of.degrees}.half_width();
   };
-  const double t_of_mean = student_quantile(0.025, errors.degrees_of_mean());
-  out.interval = {.mean = Interval::about(m.mean, t_of_mean * out.error.mean),
-                  .sa = of_scale(m.sa, out.error.sa),
-                  .sq = of_scale(m.sq, out.error.sq),
-                  .ssk = Interval::about(m.ssk, t * out.error.ssk),
-                  .sku = Interval::of_inverse(m.sku, t * out.error.sku / m.sku)};
+  out.interval = {.mean = Interval::about(m.mean, mean.half_width()),
+                  .sa = freed_of_form(sample, m.sa, sa),
+                  .sq = freed_of_form(sample, m.sq, sq),
+                  .ssk = Interval::about(m.ssk, half_width(out.error.ssk, ssk)),
+                  .sku = Interval::of_inverse(m.sku, half_width(out.error.sku, sku) / m.sku)};
   return out;
 }
 
@@ -114,6 +139,32 @@ Heights heights_of(const Sample& sample) {
   const auto errors = translation_errors(sample);
   if (!errors) return {sample, standard_errors(m, size), confidence_intervals(m, size)};
   return {sample, errors->standard_errors(m.sq), confidence_intervals(m, *errors, size)};
+}
+
+// ---- extremes ----
+
+void add_extremes(Heights& heights) {
+  const Sample& sample = heights.sample;
+  const LagField& rho = sample.basis().correlation;
+  heights.sp = {.value = heights.m().sp, .why = too_few_patches(sample, 100)};
+  heights.sv = {.value = heights.m().sv, .why = heights.sp.why};
+  if (!sample.needs_errors() || !heights.sp.why.empty()) return;
+  const double level = std::exp(-1);
+  const auto along_x = first_crossing(rho.normalised().along_x(), level),
+             along_y = first_crossing(rho.normalised().along_y(), level);
+  auto length = [](const std::optional<Crossing>& at, Index n) {
+    return at ? at->lag : static_cast<double>(n);
+  };
+  const Field z = sample.surface().heights - heights.m().mean;
+  for (const double side : {1, -1}) {
+    Estimate& of = side > 0 ? heights.sp : heights.sv;
+    const auto error = extreme_error(side * z, sample.grid(), length(along_x, z.rows()),
+                                     length(along_y, z.cols()), heights.error.mean);
+    if (error)
+      of.standard_error = error->error, of.interval = error->interval;
+    else
+      of.why = "no standard error: fewer than six summits are two correlation lengths apart";
+  }
 }
 
 // ---- effective sample sizes ----
@@ -151,32 +202,59 @@ void add_sizes(ParameterList& out, const Sample& sample) {
 // ---- the material ratio ----
 
 struct Material {
-  MaterialRatioCurve curve;
+  const Sample& sample;
   CoreParameters core;
   VolumeParameters volumes;
+  std::optional<MaterialErrors> errors;
+
+  // A figure of the core.
+  Estimate core_figure(const Estimate& of) const {
+    if (!errors || !errors->core_may_be_elsewhere || !std::isfinite(of.standard_error)) return of;
+    return {.value = of.value,
+            .why = "no standard error: the core may begin elsewhere, where the curve falls as little"};
+  }
+  Estimate length(double value, const WaveError& of) const {
+    if (!(of.error > 0 && value > 0)) return {value};
+    return {value, of.error, freed_of_form(sample, value, of)};
+  }
+  // Of the few heights that are highest or lowest.
+  Estimate of_tail(double value, const WaveError& of) const {
+    const std::string why = too_few_patches(sample, 40);
+    return why.empty() ? length(value, of) : Estimate{.value = value, .why = why};
+  }
+  static Estimate share(double value, const WaveError& of) {
+    if (!(of.error > 0)) return {value};
+    return {
+        value, of.error,
+        Interval::of(value, std::max(0.0, value - of.half_width()), std::min(1.0, value + of.half_width()))};
+  }
+  const MaterialErrors& error() const {
+    static const MaterialErrors none;
+    return errors ? *errors : none;
+  }
 };
 
-template <auto member>
-Estimate core(const Material& of) {
-  return {of.core.*member};
-}
-template <auto member>
-Estimate volume(const Material& of) {
-  return {of.volumes.*member};
-}
-
 constexpr Definition<Material> core_table[] = {
-    {"Sk", of_field, "core height", core<&CoreParameters::sk>},
-    {"Spk", of_field, "reduced peak height", core<&CoreParameters::spk>},
-    {"Svk", of_field, "reduced dale height", core<&CoreParameters::svk>},
-    {"Smr1", "1", "material ratio where the core begins", core<&CoreParameters::smr1>},
-    {"Smr2", "1", "material ratio where the core ends", core<&CoreParameters::smr2>}};
+    {"Sk", of_field, "core height",
+     [](const Material& m) { return m.core_figure(m.length(m.core.sk, m.error().sk)); }},
+    {"Spk", of_field, "reduced peak height",
+     [](const Material& m) { return m.core_figure(m.of_tail(m.core.spk, m.error().spk)); }},
+    {"Svk", of_field, "reduced dale height",
+     [](const Material& m) { return m.core_figure(m.of_tail(m.core.svk, m.error().svk)); }},
+    {"Smr1", "1", "material ratio where the core begins",
+     [](const Material& m) { return m.core_figure(Material::share(m.core.smr1, m.error().smr1)); }},
+    {"Smr2", "1", "material ratio where the core ends",
+     [](const Material& m) { return m.core_figure(Material::share(m.core.smr2, m.error().smr2)); }}};
 
 constexpr Definition<Material> volume_table[] = {
-    {"Vmp", of_field, "peak material volume per area", volume<&VolumeParameters::vmp>},
-    {"Vmc", of_field, "core material volume per area", volume<&VolumeParameters::vmc>},
-    {"Vvc", of_field, "core void volume per area", volume<&VolumeParameters::vvc>},
-    {"Vvv", of_field, "dale void volume per area", volume<&VolumeParameters::vvv>}};
+    {"Vmp", of_field, "peak material volume per area",
+     [](const Material& m) { return m.of_tail(m.volumes.vmp, m.error().vmp); }},
+    {"Vmc", of_field, "core material volume per area",
+     [](const Material& m) { return m.length(m.volumes.vmc, m.error().vmc); }},
+    {"Vvc", of_field, "core void volume per area",
+     [](const Material& m) { return m.length(m.volumes.vvc, m.error().vvc); }},
+    {"Vvv", of_field, "dale void volume per area",
+     [](const Material& m) { return m.of_tail(m.volumes.vvv, m.error().vvv); }}};
 
 // ---- tests ----
 
@@ -202,10 +280,7 @@ Parameters height_parameters(const Sample& sample, const MeasureOptions& options
   Heights heights = heights_of(sample);
   if (options.preparation.longer.given())
     heights.of_mean = "no standard error: the L-filter has taken the long waves that it rests on";
-  if (sample.size().gives_errors() && !sample.surface().distribution && sample.distribution())
-    heights.of_extremes =
-        "no standard error: the extremes of heights that are not Gaussian rest on tails of which the field "
-        "has few heights";
+  add_extremes(heights);
   out.add(height_table, heights);
   add_sizes(out, sample);
   if (!sample.basis().pairs.complete())
@@ -248,16 +323,18 @@ Parameters gaussianity(const Sample& sample, const MeasureOptions&) {
 Parameters material_parameters(const Sample& sample, const MeasureOptions& options) {
   const auto [p, q] = options.material_ratios;
   const MaterialRatioCurve curve = sample.material_ratio();
-  const Material of{curve, curve.core(), curve.volumes(p, q)};
+  const Material of{sample, curve.core(), curve.volumes(p, q),
+                    sample.material_errors(curve, options.material_ratios)};
   ParameterList out(sample.surface().units);
-  out.add(core_table, of);
+  const Words words{.why_no_error = equal_heights};
+  out.add(core_table, of, words);
   const std::vector<Estimate> inverse =
       quantile_estimates(sample, {1 - p, 1 - q}, {curve.height(p), curve.height(q)});
   out.add("Smc_p", of_field, "inverse material ratio at {}", inverse[0],
           {.meaning = shortest(p), .why_no_error = equal_heights});
   out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1],
           {.meaning = shortest(q), .why_no_error = equal_heights});
-  out.add(volume_table, of);
+  out.add(volume_table, of, words);
   return std::move(out).with_known_errors(sample.size());
 }
 

@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/measure/groups.hpp"
-#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
@@ -91,12 +90,11 @@ struct Differentiated {
       return {.value = value, .why = few};
     if (const std::string doubt = steps.why(on); !doubt.empty())
       return {.value = value, .why = "no standard error: " + doubt};
-    const double error = (*errors)(parameter);
+    const WaveError error = (*errors)(parameter);
     constexpr double round_off = 1e-12;
-    if (!(error > round_off * value && value > 0)) return {value};
-    const double t = student_quantile(0.025, errors->degrees());
-    const double freed = value / errors->left(parameter, taken), width = t * error / value;
-    return {value, error,
+    if (!(error.error > round_off * value && value > 0)) return {value};
+    const double freed = value / errors->left(parameter, taken), width = error.half_width() / value;
+    return {value, error.error,
             Interval::of(value, std::max(std::min(least, value), std::min(value, freed * std::exp(-width))),
                          std::max(value, freed * std::exp(width)))};
   }

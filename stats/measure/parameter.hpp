@@ -32,21 +32,15 @@ struct Parameter {
   std::string meaning;
   /// Of 95 % confidence; absent: 1.96 standard errors about the value.
   std::optional<Interval> interval = {};
-  std::string why = {};     ///< why the value or its error is missing
-  std::string source = {};  ///< of the error, "60 twins"; "" where theory gives it
-  bool is_bound = false;    ///< the quantity is below the value, the least that its simulation tells
+  std::string why = {};   ///< why the value or its error is missing
+  bool is_bound = false;  ///< the quantity is below the value, the least that its simulation tells
 
   Interval interval_95() const {
     if (!std::isfinite(standard_error)) return {};
     return interval.value_or(Interval::about(value, half_width_95 * standard_error));
   }
-  /// Why a value, error or interval is missing, or where the error comes from; "" if nothing is missing, or
-  /// an error no theory gives.
-  std::string note() const {
-    if (!why.empty()) return why;
-    const Interval ends = interval_95();
-    return !ends.why.empty() || source.empty() ? ends.why : "error from " + source;
-  }
+  /// Why a value, error or interval is missing; "" if nothing is missing, or an error no theory gives.
+  std::string note() const { return why.empty() ? interval_95().why : why; }
 };
 
 using Parameters = std::vector<Parameter>;

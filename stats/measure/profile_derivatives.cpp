@@ -5,7 +5,6 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/measure/groups.hpp"
-#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
@@ -89,11 +88,11 @@ struct Profile {
     if (!errors || !std::isfinite(value)) return {value};
     if (!few.empty()) return {.value = value, .why = few};
     if (!doubt.empty()) return {.value = value, .why = "no standard error: " + doubt};
-    const double error = means.error(f);
+    const WaveError error = means.error(f);
     constexpr double round_off = 1e-12;
-    if (!(error > round_off * value && value > 0)) return {value};
-    const Interval ends = Interval::of_ratio(value, student_quantile(0.025, means.degrees()) * error / value);
-    return {value, error, Interval::of(value, std::max(ends.low, std::min(least, value)), ends.high)};
+    if (!(error.error > round_off * value && value > 0)) return {value};
+    const Interval ends = Interval::of_ratio(value, error.half_width() / value);
+    return {value, error.error, Interval::of(value, std::max(ends.low, std::min(least, value)), ends.high)};
   }
 };
 

@@ -8,7 +8,6 @@
 #include "core/error.hpp"
 #include "core/words.hpp"
 #include "stats/measure/groups.hpp"
-#include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
@@ -35,18 +34,17 @@ constexpr std::array<Definition1D, profile_parameters_count> table{
      {"Sm", "m", "mean profile element spacing"}}};
 
 // With Student's interval: of the logarithm, where the parameter is positive, `least` at least.
-Estimate with_error(double value, double error, double degrees, double least) {
-  if (!std::isfinite(error)) return {value};
-  const double width = student_quantile(0.025, degrees) * error;
-  if (least < 0) return {value, error, Interval::about(value, width)};
-  const Interval ends = Interval::of_ratio(value, width / value);
-  return {value, error, Interval::of(value, std::max(ends.low, std::min(least, value)), ends.high)};
+Estimate with_error(double value, const WaveError& of, double least) {
+  if (!std::isfinite(of.error)) return {value};
+  if (least < 0) return {value, of.error, Interval::about(value, of.half_width())};
+  const Interval ends = Interval::of_ratio(value, of.half_width() / value);
+  return {value, of.error, Interval::of(value, std::max(ends.low, std::min(least, value)), ends.high)};
 }
 
 Estimate spread_of(const SequenceMean& of) {
-  if (!std::isfinite(of.spread_error)) return {of.spread};
-  const double width = student_quantile(0.025, of.spread_degrees) * of.spread_error / of.spread;
-  return {of.spread, of.spread_error, Interval::of_inverse(of.spread, width)};
+  if (!std::isfinite(of.of_spread.error)) return {of.spread};
+  return {of.spread, of.of_spread.error,
+          Interval::of_inverse(of.spread, of.of_spread.half_width() / of.spread)};
 }
 
 std::string why_no_profile_error(const SequenceMean& of) {
@@ -75,7 +73,7 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
     const std::string symbol = prefix + name;
     SequenceMean of = averages.of[k];
     if (constexpr double rounding = 1e-12; !(of.spread > rounding * (i == profile_sk ? 1 : of.mean))) {
-      of.mean_error = of.spread_error = unknown;
+      of.of_mean.error = of.of_spread.error = unknown;
       of.spread *= 0;
     }
     const std::string why = "no value: no profile has this parameter";
@@ -84,9 +82,9 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
     // Of heights rounded to steps s, (2) of stats/profile/profile.hpp squared is larger by 0.098 s²/Δ².
     if (const std::string steps = steps_in_slopes(step, 0.098 * std::pow(step / spacing / of.mean, 2));
         i == profile_dq && !steps.empty())
-      of.mean_error = of.spread_error = unknown, no_error = "no standard error: " + steps;
+      of.of_mean.error = of.of_spread.error = unknown, no_error = "no standard error: " + steps;
     const double least = i == profile_sk ? -no_limit : i == profile_ku ? 1 : 0;
-    out.add(symbol, unit, meaning, with_error(of.mean, of.mean_error, static_cast<double>(of.degrees), least),
+    out.add(symbol, unit, meaning, with_error(of.mean, of.of_mean, least),
             {.why = why, .why_no_error = no_error});
     out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", spread_of(of),
             {.meaning = symbol, .why = why, .why_no_error = no_error});

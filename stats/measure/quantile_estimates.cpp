@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "stats/height/material_ratio.hpp"
 #include "stats/sample/quantiles.hpp"
@@ -10,7 +9,7 @@
 namespace asperity {
 namespace {
 
-constexpr double no_bound = std::numeric_limits<double>::infinity();
+constexpr double least_beyond = 1;  // independent heights
 
 // Of heights that the form has lowered by the factor `left`.
 Interval freed(double height, double left, double low, double high) {
@@ -21,7 +20,7 @@ Interval freed(double height, double left, double low, double high) {
 class FormSmear {
  public:
   explicit FormSmear(const Sample& sample)
-      : taken_(sample.taken_by_form()), relative_error_(sample.error_of_taken()) {
+      : taken_(sample.taken_by_form()), relative_error_(taken_ > 0 ? sample.error_of_taken() / taken_ : 0) {
     std::vector<double> shares(400);
     for (std::size_t k = 0; k < shares.size(); ++k)
       shares[k] = (static_cast<double>(k) + 0.5) / static_cast<double>(shares.size());
@@ -76,31 +75,38 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
     for (const double height : heights) out.push_back({height});
     return out;
   }
-  std::vector<double> width;
-  for (std::size_t k = 0; k < shares.size(); ++k) width.push_back((*errors)(k));
-  const double t = student_quantile(0.025, errors->degrees());
-  const std::vector<double> near = quantiles_beside(width);
-  for (double& w : width) w *= t;
-  const std::vector<double> ends = quantiles_beside(width);
+  std::vector<double> width, half;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    const WaveError of_share = (*errors)(k);
+    width.push_back(of_share.error), half.push_back(of_share.half_width());
+  }
+  const std::vector<double> near = quantiles_beside(width), ends = quantiles_beside(half);
   const std::optional<FormSmear> form =
       origin == Origin::own_mean ? std::optional<FormSmear>(sample) : std::nullopt;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     out.push_back({heights[k]});
-    const double apart = near[2 * k + 1] - near[2 * k], share = width[k] / t;
+    if (sample.size().gives_errors() &&
+        sample.extent().patches * std::min(shares[k], 1 - shares[k]) < least_beyond) {
+      out[k].why = "no standard error: less than one independent height lies beyond it";
+      continue;
+    }
+    const double apart = near[2 * k + 1] - near[2 * k], share = width[k];
     if (!(apart > 0 && share > 0)) continue;  // as of heights of two values
     const double density = origin == Origin::own_mean ? 2 * share / apart : 0,
-                 of_all = errors->with_mean(k, density) / share;
+                 of_all = errors->with_mean(k, density).error / share;
     out[k].standard_error = of_all * apart / 2;
     const double shift = form ? form->shift(shares[k], heights[k]) : 0,
-                 of_form = form ? t * form->relative_error() * shift : 0;
-    auto half = [&](double apart_from_end) {
+                 of_form = form ? half[k] / share * form->relative_error() * shift : 0;
+    auto reach = [&](double apart_from_end) {
       return std::hypot(of_all * std::max(apart_from_end, 0.0), of_form);
     };
-    // Open where the field holds no such share.
-    const double low = heights[k] - shift - half(heights[k] - ends[2 * k]),
-                 high = heights[k] - shift + half(ends[2 * k + 1] - heights[k]);
-    out[k].interval = Interval::of(heights[k], shares[k] > width[k] ? std::min(heights[k], low) : -no_bound,
-                                   1 - shares[k] > width[k] ? std::max(heights[k], high) : no_bound);
+    // Where the field holds no such share, the heights beyond are as dense as those within the error.
+    const double slope = half[k] / share * apart / 2,
+                 below = shares[k] > half[k] ? heights[k] - ends[2 * k] : slope,
+                 above = 1 - shares[k] > half[k] ? ends[2 * k + 1] - heights[k] : slope,
+                 freed_height = heights[k] - shift;
+    out[k].interval = Interval::of(heights[k], std::min(heights[k], freed_height - reach(below)),
+                                   std::max(heights[k], freed_height + reach(above)));
   }
   return out;
 }

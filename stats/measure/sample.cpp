@@ -67,13 +67,17 @@ double Sample::taken_by_form() const {
   return taken_from_waves() ? height_errors()->taken() : size_.taken_by_form();
 }
 
-double Sample::error_of_taken() const {
-  return taken_from_waves() ? std::sqrt(2 / height_errors()->degrees_of_mean()) : 0;
-}
+double Sample::error_of_taken() const { return taken_from_waves() ? height_errors()->error_of_taken() : 0; }
 
 std::optional<QuantileErrors> Sample::quantile_errors(const std::vector<double>& heights) const {
   if (!errors_) return std::nullopt;
   return QuantileErrors(surface_.heights, grid(), extent(), heights);
+}
+
+std::optional<MaterialErrors> Sample::material_errors(const MaterialRatioCurve& curve,
+                                                      const std::array<double, 2>& ratios) const {
+  if (!errors_) return std::nullopt;
+  return asperity::material_errors(surface_.heights, grid(), extent(), curve, ratios);
 }
 
 std::optional<DerivativeErrors> Sample::derivative_errors() const {
@@ -102,7 +106,8 @@ std::array<GoodnessOfFit, 4> Sample::goodness_of_fit() const {
 }
 
 ProfileAverages Sample::profiles(Axis1D along, double section) const {
-  return average_profiles(surface_.heights, basis().pairs, along, section, basis().known_lags(), round_off());
+  return average_profiles(surface_.heights, basis().pairs, extent(), along, section, basis().known_lags(),
+                          round_off());
 }
 
 std::vector<double> Sample::quantiles(const std::vector<double>& shares) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stats/height/height_error.hpp"
+#include "stats/height/material_error.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "stats/hybrid/derivative_error.hpp"
 #include "stats/hybrid/slopes.hpp"
@@ -52,11 +53,13 @@ class Sample {
   const std::optional<HeightErrors>& height_errors() const;
   /// The share of the variance of the heights that their form took.
   double taken_by_form() const;
-  double error_of_taken() const;  ///< relative to it
+  double error_of_taken() const;
   std::optional<DerivativeErrors> derivative_errors() const;
   /// None either of too small a size, or by a known correlation: that is exact.
   std::optional<SizeErrors> size_errors() const;
   std::optional<QuantileErrors> quantile_errors(const std::vector<double>& heights) const;
+  std::optional<MaterialErrors> material_errors(const MaterialRatioCurve& curve,
+                                                const std::array<double, 2>& ratios) const;
   /// Heights below which these shares of the surface lie.
   std::vector<double> quantiles(const std::vector<double>& shares) const;
   MaterialRatioCurve material_ratio() const;

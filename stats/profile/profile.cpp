@@ -121,6 +121,41 @@ double profiles_worth_one(const LagField& rho, const Pairs& pairs, Axis1D along)
   return same > 0 ? std::max(1.0, all / same) : none;
 }
 
+// (4) of a profile, a column each; NaN where it is straight.
+Eigen::ArrayXXd local_functions(const Eigen::ArrayXd& heights, double round_off) {
+  Eigen::ArrayXXd out = Eigen::ArrayXXd::Constant(heights.size(), 4, none);
+  auto mean = [](const Eigen::ArrayXd& f) {
+    const ValidSum sum = sum_of_valid(f);
+    return sum.sum / sum.count;
+  };
+  const Eigen::ArrayXd h = heights - mean(heights), h2 = h.square(), h3 = h2 * h;
+  if (!(h.abs() > round_off).any()) return out;
+  const double m2 = mean(h2), q = std::sqrt(m2), m3 = mean(h3), m4 = mean(h2.square()), sk = m3 / (m2 * q),
+               ku = m4 / (m2 * m2);
+  out.col(0) = h.abs() - mean(h.sign()) * h;
+  out.col(1) = q + (h2 - m2) / (2 * q);
+  out.col(2) = sk + (h3 - m3 - 3 * m2 * h) / (m2 * q) - 1.5 * sk * (h2 - m2) / m2;
+  out.col(3) = ku + (h2.square() - m4 - 4 * m3 * h) / (m2 * m2) - 2 * ku * (h2 - m2) / m2;
+  return out;
+}
+
+// Their means over all profiles, those that are rows of the field.
+LocalMeans means_in_plane(const Field& rows, const Grid& grid, const FieldExtent& extent, double round_off) {
+  LocalSums sums(grid, 4);
+  sums.add_rows(rows.rows(), 1, [&](Index i, LocalSums::Values& values) {
+    values.rightCols(4) = local_functions(rows.row(i).transpose(), round_off).matrix();
+  });
+  return sums.means(extent);
+}
+
+LocalMeans means_in_plane(const Field& heights, const Grid& grid, const FieldExtent& extent, Axis1D along,
+                          double round_off) {
+  if (along == Axis1D::y) return means_in_plane(heights, grid, extent, round_off);
+  const Grid turned{{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, {grid.periodic.y, grid.periodic.x}};
+  return means_in_plane(heights.transpose(), turned, {extent.patches, 1 / extent.elongation, extent.negative},
+                        round_off);
+}
+
 }  // namespace
 
 ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step, double section,
@@ -137,8 +172,8 @@ ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step,
   return out;
 }
 
-ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, Axis1D along, double section,
-                                 const LagField& rho, double round_off) {
+ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, const FieldExtent& extent,
+                                 Axis1D along, double section, const LagField& rho, double round_off) {
   const Grid& grid = pairs.grid();
   const bool x = along == Axis1D::x;
   const double length = x ? grid.size_x() : grid.size_y(), step = x ? grid.dx : grid.dy;
@@ -158,6 +193,10 @@ ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, Axis1
     out.of[size(k)] = sequence_mean(
         Eigen::ArrayXd::NullaryExpr(std::ssize(profiles), [&](Index j) { return profiles[size(j)][k]; }),
         share, across);
+  const LocalMeans plane = means_in_plane(heights, grid, extent, along, round_off);
+  for (Index k = 0; k < 4; ++k)
+    if (std::isfinite(out.of[size(k)].of_mean.error))
+      out.of[size(k)].of_mean = plane.error([k](const Eigen::VectorXd& m) { return m(k); });
   out.profiles = out.of[profile_q].count;
   out.independent = out.profiles * share;
   return out;

@@ -15,7 +15,11 @@
 ///
 /// Over m profiles a parameter has a mean and a spread, with divisor m, whose standard errors come from the
 /// longest waves across the profiles (stats/uncertainty/sequence_error.hpp), whatever heights and correlation
-/// are. The mean squares of profiles at a distance of j profiles are correlated by
+/// are. Means of a, q, sk and ku are those of local functions of all points besides, whose waves of the plane
+/// tell more (stats/uncertainty/long_waves.hpp): with h the height above the mean of its profile
+///     a:   |h| - h mean(sign h),                    sk:  sk + (h³ - m₃ - 3q² h)/q³ - 1.5 sk (h² - q²)/q²,
+///     q:   q + (h² - q²)/(2q),                      ku:  ku + (h⁴ - m₄ - 4m₃ h)/q⁴ - 2 ku (h² - q²)/q². (4)
+/// The mean squares of profiles at a distance of j profiles are correlated by
 ///     g(j) = Σ_p w_p ρ(p,j)² / Σ_p w_p ρ(p,0)²,   w_p the share of pairs at lag p along the profile,     (3)
 /// if the heights are Gaussian. Of m profiles, m/c are independent, c = Σ_j w_j g(j) over all distances.
 ///
@@ -40,6 +44,7 @@
 #include "core/field.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/spectrum/spectrum.hpp"
+#include "stats/uncertainty/long_waves.hpp"
 #include "stats/uncertainty/sequence_error.hpp"
 
 namespace asperity {
@@ -75,7 +80,7 @@ struct ProfileAverages {
 
 /// Of the profiles along one axis of a field; ρ is a correlation that is zero beyond its lags. Throws
 /// ParameterError("lambda-c", …) if the section is longer than the profiles.
-ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, Axis1D along, double section,
-                                 const LagField& rho, double round_off = 0);
+ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, const FieldExtent& extent,
+                                 Axis1D along, double section, const LagField& rho, double round_off = 0);
 
 }  // namespace asperity

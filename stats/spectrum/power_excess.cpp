@@ -52,14 +52,18 @@ LagField of_differences(const LagField& psd, const Grid& grid, const Slopes& slo
 PowerExcess excess(const Field& d, const Grid& grid, const LagField& psd, const SharedPower& shared,
                    const Slopes& slopes, const FieldExtent& extent, int threads) {
   const LocalMeans means = local_means(d, grid, slopes, extent, threads);
+  double degrees = std::numeric_limits<double>::infinity();
   auto of = [&](Index a, const LagField& power) {
     auto mean = [a](const Eigen::VectorXd& m) { return m(a); };
     const MeanPower gaussian = shared.means(power, 1, [](Index, Index) { return 0; }).front();
-    const double own = std::pow(means.error(mean) / means(mean), 2) * shared.overlap();
+    const WaveError error = means.error(mean);
+    degrees = std::min(degrees, error.degrees);
+    const double own = std::pow(error.error / means(mean), 2) * shared.overlap();
     return std::fmax(own - gaussian.variance / (gaussian.mean * gaussian.mean), 0);
   };
-  return {of(0, psd), of(1, of_differences(psd, grid, slopes)),
-          std::sqrt(means([](const Eigen::VectorXd& m) { return m(1) / m(0); })), means.degrees()};
+  const double heights = of(0, psd), differences = of(1, of_differences(psd, grid, slopes));
+  return {heights, differences, std::sqrt(means([](const Eigen::VectorXd& m) { return m(1) / m(0); })),
+          degrees};
 }
 
 double inverse_square(double spacing) { return 1 / (spacing * spacing); }

@@ -31,6 +31,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -46,6 +47,12 @@ class AcfDeviations {
   /// Modes over the same lags, and the degrees of freedom of Student's t that (1) is known to.
   AcfDeviations(std::vector<LagField> modes, double degrees);
 
+  /// With one more mode.
+  AcfDeviations with(LagField mode) const {
+    AcfDeviations out = *this;
+    out.modes_.push_back(std::move(mode));
+    return out;
+  }
   /// With every mode times factor(p, q).
   AcfDeviations scaled(const std::function<double(Index, Index)>& factor) const;
 

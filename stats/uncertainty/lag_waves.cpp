@@ -15,8 +15,8 @@ namespace {
 constexpr double least_variance = 0.05;
 
 // Blocks of n points that the mirror image shares: an odd number of an odd number.
-Index mirrored_blocks(Index half_waves, Index n) {
-  const Index blocks = std::max(2 * half_waves, Index{1});
+Index mirrored_blocks(Index half_waves, Index n, bool periodic) {
+  const Index blocks = std::max((periodic ? 4 : 2) * half_waves, Index{1});
   return std::min(n, blocks + (n % 2 == 1 && blocks % 2 == 0));
 }
 
@@ -29,19 +29,20 @@ Field folded(const Field& plane) {
 }  // namespace
 
 LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads,
-                   Number number)
-    : long_waves_(grid, extent,
-                  number == Number::few ? LongWaves::Range{5, 5} : LongWaves::Range{.least = 5}),
-      patches_(extent.patches) {
+                   double most)
+    : threads_(threads) {
+  const LongWaves long_waves(grid, extent, most);
   Index most_x = 0, most_y = 0;
-  for (const auto& [x, y] : long_waves_.all()) {
+  for (const auto& [x, y] : long_waves.all()) {
     most_x = std::max(most_x, half_waves(x, grid.periodic.x));
     most_y = std::max(most_y, half_waves(y, grid.periodic.y));
   }
   const auto [nx, ny] = grid.shape;
-  const Index along_x = mirrored_blocks(most_x, nx), along_y = mirrored_blocks(most_y, ny);
+  const Index along_x = mirrored_blocks(most_x, nx, grid.periodic.x),
+              along_y = mirrored_blocks(most_y, ny, grid.periodic.y);
   PairBlocks blocks(d, grid, max_lag, along_x, along_y);
-  const Eigen::MatrixXd waves = directions(blocks, {{along_x, along_y}, 1, 1, grid.periodic});
+  const auto [waves, nu] = directions(long_waves, blocks, {{along_x, along_y}, 1, 1, grid.periodic});
+  spectra_ = WaveSpectra(nu);
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
   waves_.assign(static_cast<std::size_t>(waves.rows()) + 1, {none, none, none, none});
   for (Index first = 0; first < blocks.count(); first += threads) {
@@ -55,7 +56,7 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
           const Shape lags = shape_of(pairs);
           const Field u =
               k == 0 ? Field(Field::Ones(lags.nx, lags.ny))
-                     : blocks.waves(first + b, long_waves_.all()).combined(waves.row(k - 1).transpose());
+                     : blocks.waves(first + b, long_waves.all()).combined(waves.row(k - 1).transpose());
           wave.add(u, products, squares, pairs);
         }
       }
@@ -73,52 +74,73 @@ void LagWaves::Wave::add(const Field& u, const Field& of_products, const Field& 
   weights += folded(u * weighted);
 }
 
-Eigen::MatrixXd LagWaves::directions(const PairBlocks& blocks, const Grid& of_blocks) const {
-  const auto count = std::ssize(long_waves_.all());
-  if (blocks.complete()) return Eigen::MatrixXd::Identity(count, count);
+LongWaves::Directions LagWaves::directions(const LongWaves& all, const PairBlocks& blocks,
+                                           const Grid& of_blocks) {
+  const auto count = std::ssize(all.all());
+  if (blocks.complete()) return {Eigen::MatrixXd::Identity(count, count), all.numbers()};
   const AxisWaves along(of_blocks);
   AxisWaves::Squares squares = AxisWaves::none();
   for (Index i = 0; i < of_blocks.shape.nx; ++i) along.add_row(squares, i, blocks.points(i));
-  return long_waves_.directions(squares);
+  return all.directions(squares);
 }
 
-std::vector<Field> LagWaves::modes(const Field& per_product, const Field& per_square, double loss) const {
+std::vector<Field> LagWaves::amplitudes(const Field& per_product, const Field& per_square) const {
   auto sum = [&](const Wave& wave) -> Field {
     return per_product * wave.products + per_square * wave.squares;
   };
   const Field& pairs = waves_[0].pairs;
   const Field mean = sum(waves_[0]) / pairs;
-  const double scale = 1 / (std::sqrt(static_cast<double>(waves_.size() - 1)) * (1 - std::min(0.4, loss)));
   std::vector<Field> out;
   for (std::size_t k = 1; k < waves_.size(); ++k) {
     const Wave& wave = waves_[k];
     const Field variance = wave.weights / pairs - (wave.pairs / pairs).square();
-    out.push_back(scale * (sum(wave) / pairs - mean * wave.pairs / pairs) /
-                  variance.max(least_variance).sqrt());
+    out.push_back((sum(wave) / pairs - mean * wave.pairs / pairs) / variance.max(least_variance).sqrt());
   }
   return out;
+}
+
+AcfDeviations LagWaves::deviations(const Field& per_product, const Field& per_square) const {
+  std::vector<Field> modes = amplitudes(per_product, per_square);
+  if (modes.empty()) modes.push_back(Field::Constant(per_square.rows(), per_square.cols(), NAN));
+  parallel_ranges(per_square.rows(), threads_, [&](Index begin, Index end, int) {
+    Eigen::ArrayXd c(spectra_.waves());
+    for (Index p = begin; p < end; ++p)
+      for (Index q = 0; q < per_square.cols(); ++q) {
+        for (Index k = 0; k < c.size(); ++k) c(k) = modes[size(k)](p, q);
+        c *= spectra_.weights(c.square()).sqrt();
+        for (Index k = 0; k < c.size(); ++k) modes[size(k)](p, q) = c(k);
+      }
+  });
+  std::vector<LagField> out;
+  for (Field& mode : modes) out.emplace_back(std::move(mode));
+  return {std::move(out), degrees()};
+}
+
+// Of z².
+double LagWaves::degrees() const {
+  const Index zero = waves_[0].pairs.cols() / 2;
+  const Field one = Field::Ones(waves_[0].pairs.rows(), waves_[0].pairs.cols());
+  Eigen::ArrayXd squares(spectra_.waves());
+  for (Index k = 0; const Field& c : amplitudes(one, 0 * one)) squares(k++) = c(0, zero) * c(0, zero);
+  return spectra_.error(squares).degrees;
 }
 
 AcfDeviations LagWaves::of_ratio(const LagField& rho) const {
   const Wave& all = waves_[0];
   const LagField lags = rho.within({all.pairs.rows() - 1, all.pairs.cols() / 2});
   const Field& ratio = lags.half_plane();
-  std::vector<LagField> out;
-  for (Field& mode :
-       modes(Field::Constant(ratio.rows(), ratio.cols(), 1 / variance_), -ratio / variance_, loss()))
-    out.emplace_back(std::move(mode));
-  out.emplace_back(ratio * (all.squares / all.pairs / variance_ - 1));
-  return {std::move(out), degrees()};
+  return deviations(Field::Constant(ratio.rows(), ratio.cols(), 1 / variance_), -ratio / variance_)
+      .with(LagField(ratio * (all.squares / all.pairs / variance_ - 1)));
 }
 
-LagField LagWaves::errors(double per_product, double per_square, double loss) const {
+AcfDeviations LagWaves::of_covariance() const {
   const Field one = Field::Ones(waves_[0].pairs.rows(), waves_[0].pairs.cols());
-  Field variance = Field::Constant(one.rows(), one.cols(), degrees() > 0 ? 0 : NAN);
-  for (const Field& mode : modes(per_product * one, per_square * one, loss)) variance += mode.square();
-  return LagField(variance.sqrt());
+  return deviations(one, 0 * one);
 }
 
-LagField LagWaves::of_covariance() const { return errors(1, 0, loss()); }
-LagField LagWaves::of_structure() const { return errors(-2, 2, 1 / std::sqrt(patches_)); }
+AcfDeviations LagWaves::of_structure() const {
+  const Field two = Field::Constant(waves_[0].pairs.rows(), waves_[0].pairs.cols(), 2);
+  return deviations(-two, two);
+}
 
 }  // namespace asperity

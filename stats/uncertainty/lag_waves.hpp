@@ -9,11 +9,12 @@
 /// which is small where z' hardly differs from z. R(0,0) is the mean over the field, Q that over the pairs;
 /// they differ by the points near the edges, which makes ρ deviate by ρ (Q/R(0,0) - 1) beside (2).
 ///
-/// J² is 5 at least. As the variance of f at one point is not known, the loss is empirical, with N_p patches
-///     L = 1.4/√N_p + 3/N_p of R and ρ,     L = 1/√N_p of S,     0.4 at most.                           (3)
-/// Intervals have K N_p/(N_p + 40) degrees of freedom.
+/// At each lag the mode of wave k is c_k times the root of its weight in the average over spectra
+/// (stats/uncertainty/wave_spectra.hpp), so that the squares of the modes add up to SE². At all lags of up to
+/// half the field they are of the waves ν ≤ 5. Student's t has the degrees of freedom of the mean of z².
 ///
-/// The waves are sums over blocks of the field, two a half wave of the shortest, and for odd sides one more;
+/// The waves are sums over blocks of the field, two a half wave of the shortest, four along a period, and for
+/// odd sides one more;
 /// a block's products at all lags are a correlation by the FFT, piece by piece where the lags are short. A
 /// pair at the lag h whose first point lies in a block about x_b counts there with u(x_b + h/2), the place of
 /// its middle; each pair is met from both of its points, and counts a half each time, so that a field and its
@@ -44,19 +45,15 @@ class PairBlocks;
 
 class LagWaves {
  public:
-  /// `few`: those of J² = 5, however large the field.
-  enum class Number { all, few };
   /// Of heights less their mean, NaN where missing, at lags up to max_lag.
   LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldExtent& extent, int threads = 1,
-           Number number = Number::all);
+           double most = LongWaves::reach);
 
-  /// Of freedom.
-  double degrees() const { return long_waves_.degrees(static_cast<Index>(waves_.size()) - 1, 40); }
-  /// Of ρ, at least at these lags.
+  /// Of ρ, at least at these lags; of R; of S.
   AcfDeviations of_ratio(const LagField& rho) const;
-  /// Standard errors of R and of S.
-  LagField of_covariance() const;
-  LagField of_structure() const;
+  AcfDeviations of_covariance() const;
+  AcfDeviations of_structure() const;
+  double degrees() const;  ///< of freedom
 
  private:
   // Of a wave u, all over the pairs: Σ u z z', Σ ½u (z² + z'²), Σ u, Σ u².
@@ -65,15 +62,16 @@ class LagWaves {
 
     void add(const Field& u, const Field& of_products, const Field& of_squares, const Field& of_pairs);
   };
-  // (3) of long_waves.hpp over the points of the blocks, a row a wave; of a complete field C = 1.
-  Eigen::MatrixXd directions(const PairBlocks& blocks, const Grid& of_blocks) const;
-  // The modes of a mean of `per_product` z z' + `per_square` ½(z² + z'²).
-  std::vector<Field> modes(const Field& per_product, const Field& per_square, double loss) const;
-  LagField errors(double per_product, double per_square, double loss) const;
-  double loss() const { return 1.4 / std::sqrt(patches_) + 3 / patches_; }  // (3)
+  // Over the points of the blocks.
+  static LongWaves::Directions directions(const LongWaves& all, const PairBlocks& blocks,
+                                          const Grid& of_blocks);
+  // Of a mean of `per_product` z z' + `per_square` ½(z² + z'²): c_k at each lag; the modes.
+  std::vector<Field> amplitudes(const Field& per_product, const Field& per_square) const;
+  AcfDeviations deviations(const Field& per_product, const Field& per_square) const;
 
-  LongWaves long_waves_;
-  double patches_, variance_;
+  int threads_;
+  WaveSpectra spectra_ = {};
+  double variance_ = 0;
   std::vector<Wave> waves_ = {};  // the first is u = 1
 };
 

@@ -5,19 +5,10 @@
 #include <numbers>
 
 #include "core/parallel.hpp"
+#include "math/linear_algebra.hpp"
 
 namespace asperity {
 namespace {
-
-// (2).
-double largest_wave(double patches, Periodic periodic, const LongWaves::Range& range) {
-  const double free = std::clamp(patches < 160    ? 2.0
-                                 : patches < 640  ? 5.0
-                                 : patches < 2560 ? 10.0
-                                                  : 20.0,
-                                 range.least, range.most);
-  return periodic.any() ? std::max(free, 4.0) : free;
-}
 
 // In the order of AxisWaves::number.
 std::vector<AxisProducts::Term> all_products() {
@@ -48,56 +39,50 @@ AxisWaves::AxisWaves(const Grid& grid)
     : products_(axis_waves(grid.shape.nx, grid.periodic.x, most),
                 axis_waves(grid.shape.ny, grid.periodic.y, most), all_products()) {}
 
-LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent, const Range& range)
-    : patches_(extent.patches), largest_(largest_wave(extent.patches, grid.periodic, range)) {
+LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent, double most) {
+  constexpr double round_off = 1e-9;
+  std::vector<double> nu;
   const auto [nx, ny] = grid.shape;
   for (Index j = 0; j <= std::min(AxisWaves::most, nx - 1); ++j)  // of more waves a row has none
     for (Index k = 0; k <= std::min(AxisWaves::most, ny - 1); ++k) {
       const auto along_x = static_cast<double>(half_waves(j, grid.periodic.x)),
                  along_y = static_cast<double>(half_waves(k, grid.periodic.y)),
-                 nu = along_x * along_x / extent.elongation + along_y * along_y * extent.elongation;
-      if (nu > 0 && nu <= 1.1 * largest_) all_.push_back({j, k});
+                 number = along_x * along_x / extent.elongation + along_y * along_y * extent.elongation;
+      if (number > 0 && number <= most * (1 + round_off)) all_.push_back({j, k}), nu.push_back(number);
     }
+  nu_ = Eigen::Map<const Eigen::ArrayXd>(nu.data(), std::ssize(nu));
 }
 
 // Below `round_off` all points lie at one place.
-Eigen::MatrixXd LongWaves::directions(const AxisWaves::Squares& squares) const {
+LongWaves::Directions LongWaves::directions(const AxisWaves::Squares& squares) const {
   constexpr double least_share = 0.2, round_off = 1e-12;
   std::vector<Index> own;
   for (const Wave& wave : all_) own.push_back(AxisWaves::number(wave.a, wave.b));
   const double n = squares(0, 0);
-  if (!(n > 0) || own.empty()) return Eigen::MatrixXd(0, static_cast<Index>(own.size()));
+  if (!(n > 0) || own.empty()) return {Eigen::MatrixXd(0, std::ssize(own)), Eigen::ArrayXd(0)};
   const Eigen::VectorXd mean = squares(own, 0) / n;
-  return orthonormal(squares(own, own) / n - mean * mean.transpose(), least_share, round_off);
+  const Eigen::MatrixXd some =
+      orthonormal(squares(own, own) / n - mean * mean.transpose(), least_share, round_off);
+  if (some.rows() == 0) return {some, Eigen::ArrayXd(0)};
+  const Eigen::MatrixXd e = some.rowwise().normalized();
+  Eigen::MatrixXd turn = covariance_root(e * nu_.matrix().asDiagonal() * e.transpose());
+  const Eigen::ArrayXd nu = turn.colwise().squaredNorm();
+  turn.colwise().normalize();
+  return {turn.transpose() * some, nu};
 }
 
-double LongWaves::degrees(Index waves, double half) const {
-  constexpr double least = 1.6;
-  const double all = static_cast<double>(waves);
-  return std::min(all, std::max(least, all * patches_ / (patches_ + half)));
-}
-
-double LongWaves::loss(double independent) const {
-  return std::min(0.4, 0.75 * (0.3 / std::sqrt(independent) + (1.4 + 0.7 * largest_) / independent));
-}
-
-double LongWaves::error(double variance, double at_point) const {
-  return variance > 0 ? std::sqrt(variance) / (1 - loss(std::max(at_point / variance, 1.0))) : variance;
-}
-
-double LocalMeans::error(const Function& g) const {
+WaveError LocalMeans::error(const Function& g) const {
   Eigen::VectorXd gradient(means_.size());
   for (Index a = 0; a < means_.size(); ++a) {
     Eigen::VectorXd beside = means_;
-    const double step = 1e-4 * std::sqrt(covariance_(a, a));
+    const double step = 1e-4 * deviations_(a);
     auto at = [&](double shift) {
       beside(a) = means_(a) + shift;
       return g(beside);
     };
     gradient(a) = step > 0 ? (at(step) - at(-step)) / (2 * step) : 0;
   }
-  const double variance = (waves_.transpose() * gradient).squaredNorm() / static_cast<double>(waves_.cols());
-  return long_waves_.error(variance, gradient.dot(covariance_ * gradient));
+  return spectra_.error((waves_.transpose() * gradient).array().square());
 }
 
 LocalSums::LocalSums(const Grid& grid, Index functions)
@@ -106,7 +91,7 @@ LocalSums::LocalSums(const Grid& grid, Index functions)
 LocalSums::Sums LocalSums::none() const {
   const Index m = functions_ + 1;
   return {std::vector<Eigen::MatrixXd>(AxisWaves::most + 1, Eigen::MatrixXd::Zero(m, AxisWaves::most + 1)),
-          Eigen::MatrixXd::Zero(m, m), AxisWaves::none()};
+          Eigen::VectorXd::Zero(m), AxisWaves::none()};
 }
 
 void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
@@ -119,7 +104,7 @@ void LocalSums::add_row(Sums& sums, Index i, Values& values) const {
   for (std::size_t j = 0; j < sums.waves.size(); ++j)
     sums.waves[j] += along_.x()(i, static_cast<Index>(j)) * along_y;
   along_.add_row(sums.squares, i, values.col(0));
-  sums.products += values.transpose() * values;
+  sums.powers += values.colwise().squaredNorm().transpose();
 }
 
 void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index i, Values& values)>& fill) {
@@ -142,20 +127,20 @@ void LocalSums::add_rows(Index rows, int threads, const std::function<void(Index
 
 LocalMeans LocalSums::means(const FieldExtent& extent) const {
   LocalMeans out;
-  out.long_waves_ = LongWaves(grid_, extent);
+  const LongWaves long_waves(grid_, extent);
   const double n = count();
   const Eigen::VectorXd means = sums_.waves[0].col(0) / n;
-  const auto& waves = out.long_waves_.all();
-  Eigen::MatrixXd of_waves(functions_, static_cast<Index>(waves.size()));
+  const auto& waves = long_waves.all();
+  Eigen::MatrixXd of_waves(functions_, std::ssize(waves));
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const Eigen::VectorXd c = sums_.waves[static_cast<std::size_t>(waves[k].a)].col(waves[k].b) / n;
     of_waves.col(static_cast<Index>(k)) = (c - means * c(0)).tail(functions_);
   }
-  out.waves_ = of_waves * out.long_waves_.directions(sums_.squares).transpose();
+  const LongWaves::Directions directions = long_waves.directions(sums_.squares);
+  out.waves_ = of_waves * directions.factors.transpose();
+  out.spectra_ = WaveSpectra(directions.nu);
   out.means_ = means.tail(functions_);
-  const Eigen::MatrixXd second = sums_.products / n;
-  const Eigen::VectorXd at = second.col(0);
-  out.covariance_ = (second - at * at.transpose()).bottomRightCorner(functions_, functions_);
+  out.deviations_ = (sums_.powers / n - means.cwiseAbs2()).tail(functions_).cwiseMax(0).cwiseSqrt();
   return out;
 }
 

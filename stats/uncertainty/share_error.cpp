@@ -51,11 +51,12 @@ void ShareErrors::add(const Field& z, const std::function<Index(double)>& class_
       waves_.col(b) += wave;
       of_values_ += value * wave;
       values_(b) += value;
-      squares_ += value * value;
     }
   }
   at_all_ = waves_.rowwise().sum();
-  directions_ = long_waves_.directions(of_points_);
+  const LongWaves::Directions directions = long_waves_.directions(of_points_);
+  directions_ = directions.factors;
+  spectra_ = WaveSpectra(directions.nu);
 }
 
 void ShareErrors::accumulate() {
@@ -68,33 +69,26 @@ void ShareErrors::accumulate() {
 ShareErrors::Function::Function(const ShareErrors& of)
     : of_(of), sums_(Eigen::VectorXd::Zero(of.x_.rows())) {}
 
-void ShareErrors::Function::add(Index b, double value) {
-  sums_ += value * of_.waves_.col(b);
-  squares_ += value * value * of_.waves_(0, b);
-  products_ += value * of_.values_(b);
-}
+void ShareErrors::Function::add(Index b, double value) { sums_ += value * of_.waves_.col(b); }
 
-double ShareErrors::Function::error(double slope) const {
+WaveError ShareErrors::Function::error(double slope) const {
   const double n = of_.points();
   const Eigen::VectorXd sums = sums_ + slope * of_.of_values_;
-  const double mean = sums(0) / n,
-               square = (squares_ + 2 * slope * products_ + slope * slope * of_.squares_) / n;
   const Eigen::VectorXd waves =
-      of_.directions_ * (sums - mean * of_.at_all_).tail(of_.directions_.cols()) / n;
-  const double variance = waves.squaredNorm() / static_cast<double>(waves.size());
-  return of_.long_waves_.error(variance, square - mean * mean);
+      of_.directions_ * (sums - sums(0) / n * of_.at_all_).tail(of_.directions_.cols()) / n;
+  return of_.spectra_.error(waves.array().square());
 }
 
-void set_intervals(std::vector<Frequency>& frequencies, double most, double degrees) {
+void set_intervals(std::vector<Frequency>& frequencies, double most) {
   constexpr double few = 10, least_independent = 2;
-  const double t = student_quantile(0.025, degrees);
   const auto top = std::ranges::max_element(frequencies, {}, &Frequency::points);
   auto set = [&](auto begin, auto end) {
-    double independent = std::numeric_limits<double>::infinity();
+    double independent = std::numeric_limits<double>::infinity(), t = 0;
     for (auto it = begin; it != end; ++it) {
       const double variance = it->value * (1 - it->value / most);
       if (it->points >= few || it == begin)
-        independent = it->error > 0 ? variance / (it->error * it->error) : independent;
+        independent = it->error > 0 ? variance / (it->error * it->error) : independent,
+        t = student_quantile(0.025, it->degrees);
       else
         it->error = std::sqrt(variance / independent);
       const Interval score = score_interval(it->value, independent, most, t);

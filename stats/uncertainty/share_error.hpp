@@ -12,10 +12,10 @@
 /// A share is not below 0, and the error of a rare one is poorly known. Its interval is the score interval:
 /// of the two ends p, each is t errors of its own away from f,
 ///     (p - f)² = t² p (1 - p)/n',     n' = f (1 - f)/e²,                                             (2)
-/// with the error e of (1), n' independent points, and Student's t of long_waves.hpp. Of a density,
-/// there is no 1 that bounds it: p for p (1 - p). Where fewer than ten points are in the class, n' is that
-/// of the nearest class towards the most frequent one that has more, and e follows from it. Where fewer than
-/// two independent heights tell of a class, n' f < 2, it has its interval, but no error.
+/// with the error e of (1), n' independent points, and Student's t of its degrees of freedom. Of a density,
+/// there is no 1 that bounds it: p for p (1 - p). Where fewer than ten points are in the class, n' and t are
+/// those of the nearest class towards the most frequent one that has more, and e follows from n'. Where fewer
+/// than two independent heights tell of a class, n' f < 2, it has its interval, but no error.
 ///
 /// Symbols   f  share      e  its error      u_k  long waves      z  height [unit of the field]
 /// Scope     of a part of a field, such as its cells in contact, the other points are NaN: the share is
@@ -54,7 +54,7 @@ class ShareErrors {
 
   double points() const { return at_all_(0); }
   double share(Index b) const { return waves_(0, b) / points(); }
-  double degrees() const { return long_waves_.degrees(directions_.rows()); }  ///< of freedom
+  double mean_of(Index b) const { return values_(b) / waves_(0, b); }  ///< of the values in class b
 
   /// A function of the height: so much in some classes, 0 in others.
   class Function {
@@ -62,12 +62,11 @@ class ShareErrors {
     explicit Function(const ShareErrors& of);
     void add(Index b, double value);
     double mean() const { return sums_(0) / of_.points(); }
-    double error(double slope = 0) const;  ///< (1)
+    WaveError error(double slope = 0) const;  ///< (1)
 
    private:
     const ShareErrors& of_;
     Eigen::VectorXd sums_;  // over the points, Σ u_k g; the first is Σ g
-    double squares_ = 0, products_ = 0;
   };
 
  private:
@@ -75,11 +74,11 @@ class ShareErrors {
   AxisWaves along_;
   AxisWaves::Squares of_points_ = AxisWaves::none();
   Eigen::MatrixXd directions_ = {};
+  WaveSpectra spectra_ = {};
   Eigen::MatrixXd x_, y_;               // a column a point of that axis, a row a wave; the first is 1
   Eigen::MatrixXd waves_;               // Σ u_k over a class, a column each
   Eigen::VectorXd at_all_, of_values_;  // over all points: Σ u_k, Σ u_k z
   Eigen::VectorXd values_;              // Σ z over a class
-  double squares_ = 0;                  // Σ z² over all
 };
 
 /// A share or a density.
@@ -90,9 +89,10 @@ struct Frequency {
   Interval interval = {};
   /// What the error of the mean adds at the ends besides (1) (stats/height/distribution.hpp).
   double fall = 0, rise = 0;
+  double degrees = 1;  ///< of freedom that the error is known to
 };
 
 /// Sets the intervals (2), and the errors; `most` is 1 for shares, ∞ for densities.
-void set_intervals(std::vector<Frequency>& frequencies, double most, double degrees);
+void set_intervals(std::vector<Frequency>& frequencies, double most);
 
 }  // namespace asperity

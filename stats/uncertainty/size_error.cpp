@@ -34,8 +34,6 @@ Shape lags_of_sums(const LagField& rho, const Pairs& pairs) {
   return {std::min(rho.max_p(), 2 * reach_of(along_x) + 1), std::min(rho.max_q(), 2 * reach_of(along_y) + 1)};
 }
 
-double kept(double independent) { return 1 - std::min(0.4, 1.4 / std::sqrt(independent)); }
-
 }  // namespace
 
 SizeErrors::SizeErrors(const Field& d, const LagField& estimate, const Pairs& pairs, const FormModes& form,
@@ -45,8 +43,7 @@ SizeErrors::SizeErrors(const Field& d, const LagField& estimate, const Pairs& pa
   const AcfDeviations deviations =
       LagWaves(d, pairs.grid(), lags_of_sums(rho, pairs), extent, threads).of_ratio(rho);
   auto figures = [&](const LagField& of) { return sizes(EffectiveSampleSize::of_estimate(of, pairs, form)); };
-  errors_ = values_ * deviations.relative_errors(rho, figures, threads) * kept(size.effective(2)) /
-            kept(size.effective(1));
+  errors_ = values_ * deviations.relative_errors(rho, figures, threads);
   quantile_ = deviations.quantile(0.025);
 }
 

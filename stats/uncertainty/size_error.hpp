@@ -3,11 +3,9 @@
 /// S_k is a figure of the estimated ρ (stats/uncertainty/effective_size.hpp), with its choice of lags. By the
 /// modes m of the deviation of ρ at all lags together (stats/uncertainty/acf_deviations.hpp), N_k = N/S_k
 /// has the standard error SE,
-///     (SE/N_k)² = Σ_m [½ ln N_k(ρ+m) - ½ ln N_k(ρ-m)]² · [(1 - L(N_2))/(1 - L(N_1))]²,                (1)
-///     L(n) = 1.4/√n, 0.4 at most.
-/// The modes allow for the loss L(N_2) of single lags (stats/uncertainty/lag_waves.hpp). Sums over lags stray
-/// as slowly as the mean does, and lose L(N_1). Intervals are N_k ± t SE with Student's t, 1 at least: where
-/// N_k is too large by chance, its relative error is too small, the absolute one hardly.
+///     (SE/N_k)² = Σ_m [½ ln N_k(ρ+m) - ½ ln N_k(ρ-m)]².                                              (1)
+/// Intervals are N_k ± t SE with Student's t, 1 at least: where N_k is too large by chance, its relative
+/// error is too small, the absolute one hardly.
 ///
 /// N_1 has no error: what ρ has at long lags is lost in noise. Of self-affine fields N_1 is low by 13 % at
 /// N_2 = 300 and by 40 % at 38, of lays by a factor of 2.6 to 3; N_2 of lays is high by 13 to 27 %.

@@ -73,7 +73,7 @@ TEST_CASE("an excess is what long waves say beyond Gaussian heights of the same 
   });
   const LocalMeans means = squares.means(of_field);
   auto itself = [](const Eigen::VectorXd& m) { return m(0); };
-  const double own = std::pow(means.error(itself) / means(itself), 2);
+  const double own = std::pow(means.error(itself).error / means(itself), 2);
   for (const auto& [window, overlap] : {std::pair{DataWindow::none, 1.0}, {DataWindow::hann, 35.0 / 18}}) {
     const DataWindows windows{window, DataWindow::none};
     const MeanPower all = shared_power(z, windows)

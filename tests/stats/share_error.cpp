@@ -48,22 +48,31 @@ TEST_CASE("errors of shares are those of the means of their indicators", "[share
   });
   const LocalMeans means = sums.means(extent);
   CHECK(of.points() == sums.count());
-  CHECK(of.degrees() == means.degrees());
-  const double error = means.error([](const Eigen::VectorXd& m) { return m(0); });
-  CHECK(relative_error(f.error(slope), error) <= 1e-10);
-  CHECK(std::abs(f.error() - error) > 0.01 * error);
+  const auto [error, degrees] = means.error([](const Eigen::VectorXd& m) { return m(0); });
+  CHECK(relative_error(f.error(slope).error, error) <= 1e-9);
+  CHECK(relative_error(f.error(slope).degrees, degrees) <= 1e-9);
+  CHECK(std::abs(f.error().error - error) > 0.01 * error);
   CHECK(f.mean() == Approx(0.5 * of.share(1) - 2 * of.share(2)).epsilon(1e-12));
   of.accumulate();
   CHECK(of.share(3) == 1);
   CHECK(of.share(1) == Approx(static_cast<double>((z < 0).count()) / of.points()).epsilon(1e-12));
 }
 
+namespace {
+
+void set_intervals_of_twelve(std::vector<Frequency>& frequencies, double most) {
+  for (Frequency& f : frequencies) f.degrees = 12;
+  set_intervals(frequencies, most);
+}
+
+}  // namespace
+
 // Each end is t errors of its own off the share, or at the bound.
 TEST_CASE("the ends of a share's interval are t of their own errors away from it", "[share-error][exact]") {
   const double t = student_quantile(0.025, 12);
   std::vector<Frequency> shares{{0, 0, 0},          {2e-4, 5e-5, 4},   {0.01, 0.004, 200},
                                 {0.8, 0.03, 16000}, {0.1, 0.02, 2000}, {0, 0, 0}};
-  set_intervals(shares, 1, 12);
+  set_intervals_of_twelve(shares, 1);
   for (const Frequency& f : shares) {
     CAPTURE(f.value, f.error);
     CHECK(f.interval.low >= 0);
@@ -86,27 +95,27 @@ TEST_CASE("the ends of a share's interval are t of their own errors away from it
   CHECK(shares[5].interval.low == 0);
   // Of 1.9 independent heights of 40, and of 2.1.
   std::vector<Frequency> few{{0.1, std::sqrt(0.1 * 0.9 / 19), 40}, {0.1, std::sqrt(0.1 * 0.9 / 21), 41}};
-  set_intervals(few, 1, 12);
+  set_intervals_of_twelve(few, 1);
   CHECK(std::isnan(few[0].error));
   CHECK(few[0].interval.known());
   CHECK(few[1].error == Approx(std::sqrt(0.1 * 0.9 / 21)).epsilon(1e-12));
   // What the mean adds at the ends is independent of the share.
   std::vector<Frequency> moved{{0.1, 0.01, 1000}, {0.1, 0.01, 900, {}, 0.04, 0.03}};
-  set_intervals(moved, 1, 12);
+  set_intervals_of_twelve(moved, 1);
   CHECK(0.1 - moved[1].interval.low == Approx(std::hypot(0.1 - moved[0].interval.low, 0.04)).epsilon(1e-12));
   CHECK(moved[1].interval.high - 0.1 ==
         Approx(std::hypot(moved[0].interval.high - 0.1, 0.03)).epsilon(1e-12));
   std::vector<Frequency> densities{{40, 10, 100}};
-  set_intervals(densities, std::numeric_limits<double>::infinity(), 12);
+  set_intervals_of_twelve(densities, std::numeric_limits<double>::infinity());
   for (const double p : {densities[0].interval.low, densities[0].interval.high})
     CHECK(std::pow(p - 40, 2) == Approx(t * t * p * 100 / 40).epsilon(1e-9));
   std::vector<Frequency> all{{1, 0, 500}};
-  set_intervals(all, 1, 12);
+  set_intervals_of_twelve(all, 1);
   CHECK((all[0].interval.low == 1 && all[0].interval.high == 1));
 }
 
-// Of n independent cells a share f has the error √(f (1 - f)/n). An error of 12 degrees of freedom has the
-// spread 1/√24, and white noise loses (4), at ν = n ≈ 7300 a hundredth. The rms of 60 fields: 1 ± 3 · 0.02 + 0.01.
+// Of n independent cells a share f has the error √(f (1 - f)/n), and the average over spectra an rms of 1.15 times
+// that, as spectra may fall (long_waves.cpp); 21 waves in 60 fields know it to 1/√(2 · 21 · 60) = 2 %.
 TEST_CASE("shares of independent cells have the binomial error", "[share-error][statistics]") {
   const std::vector<double> edges{0.2, 0.5, 1, 1.5};
   const Grid g = grid(160, 120);
@@ -117,10 +126,10 @@ TEST_CASE("shares of independent cells have the binomial error", "[share-error][
     const double n = static_cast<double>((!z.isNaN()).count());
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const double f = static_cast<double>((z <= edges[k]).count()) / n;
-      square[k].add(std::pow(errors(k), 2) / (f * (1 - f) / n));
+      square[k].add(std::pow(errors(k).error, 2) / (f * (1 - f) / n));
     }
   }
-  for (const Spread& r : square) CHECK(std::abs(std::sqrt(r.mean()) - 1.01) <= 0.08);
+  for (const Spread& r : square) CHECK(std::abs(std::sqrt(r.mean()) - 1.15) <= 0.08);
 }
 
 // Of 300 fields the covering share is known to √(0.05 · 0.95/300) = 1.3 %, and three of these below 95 %. N_eff is

@@ -172,22 +172,6 @@ void warn_of_few(const Tool& tool, const EffectiveSampleSize& size) {
             shortest(least) + "; measure a larger field, or filter out waviness (--lambda-c)");
 }
 
-void errors_by_twins(const Tool& tool, const Sample& sample, const MeasureOptions& asked, TwinUse use,
-                     Parameters& parameters) {
-  const Stopwatch watch;
-  Progress progress(tool);
-  TwinOptions options{.threads = tool.thread_count()};
-  options.each = [&](Index done) {
-    progress.count(static_cast<double>(done), static_cast<double>(options.twins), "twins");
-  };
-  if (!asperity::errors_by_twins(sample, asked, use, options, parameters))
-    tool.note("what lacks a standard error has one by asperity-stats --errors twins");
-  const auto count = std::ranges::count_if(parameters, [](const Parameter& p) { return !p.source.empty(); });
-  if (count > 0)
-    tool.detail(fmt::format("errors of {} from {} twins in {:.2g} s", counted(count, "parameter"),
-                            options.twins, watch.seconds()));
-}
-
 bool warn_of_length(const Tool& tool, const std::string& name, double length, const Grid& grid) {
   const double sample = std::min(grid.dx, grid.dy), half = std::max(grid.size_x(), grid.size_y()) / 2;
   const double place = std::pow(10, std::floor(std::log10(length)) - 3);

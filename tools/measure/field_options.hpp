@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "stats/measure.hpp"
 #include "stats/measure/parameter.hpp"
 #include "stats/measure/surface.hpp"
-#include "stats/twins/twin_errors.hpp"
 #include "tools/cli/ensemble_input.hpp"
 #include "tools/cli/tool.hpp"
 
@@ -62,9 +62,6 @@ std::string density_units(const std::string& unit, int lengths);
 
 /// Warns where there are too few independent points for errors, or for precise ones.
 void warn_of_few(const Tool& tool, const EffectiveSampleSize& size);
-/// As asperity::errors_by_twins, with progress and a note on what is left out.
-void errors_by_twins(const Tool& tool, const Sample& sample, const MeasureOptions& asked, TwinUse use,
-                     Parameters& parameters);
 /// Warns of a length below a sample or beyond half the field; true if it is neither.
 bool warn_of_length(const Tool& tool, const std::string& name, double length, const Grid& grid);
 /// Warns where the ACF does not fall to the level, and of a Sal that warn_of_length would report.

@@ -67,10 +67,9 @@ void StatsOptions::declare(Tool& tool) {
   tool.number("--sal-level", measured.sal_level, "Level of R / R(0,0) that defines Sal and Str",
               "Parameters");
   tool.choice(
-      "--errors", errors, {"auto", "theory", "twins", "none"},
-      "Source of standard errors and intervals. theory: formulas and the field's own long waves; twins: "
-      "simulation, 60 random fields of the same correlation, heights and missing points; auto: theory "
-      "where simulations confirm it, else twins, for one surface where they take about two seconds",
+      "--errors", errors, {"theory", "none"},
+      "Standard errors and intervals, or none. theory: formulas where the correlation is known, else the "
+      "field's own long waves",
       "Parameters");
   direction_option(tool, direction, "Parameters");
   comparison_option(tool, compare);

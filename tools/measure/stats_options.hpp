@@ -14,7 +14,7 @@ struct StatsOptions {
   std::vector<std::string> groups{"height"};
   std::string quantiles = {}, direction = {};
   MeasureOptions measured = {};  ///< those that need no further parsing
-  std::string errors = "auto";
+  std::string errors = "theory";
   bool compare = false;      ///< the first surface with the others
   std::string profile = {};  ///< x or y: profile parameters instead of areal ones
 

@@ -54,8 +54,8 @@ Bearing bearing_of(const Case& c, const std::string& variable) {
 }
 
 std::vector<Layer> layers_of(const Bearing& b, Range shown, double unit) {
-  const auto& [sk, spk, svk, smr1, smr2, upper, lower] = b.core;
-  const double first = 100 * smr1, second = 100 * smr2;
+  const double spk = b.core.spk, svk = b.core.svk, upper = b.core.upper, lower = b.core.lower,
+               first = 100 * b.core.smr1, second = 100 * b.core.smr2;
   std::vector<Layer> out;
   constexpr const char *fill = "with filledcurves closed fillcolor rgb '#f6cfae' fillstyle solid",
                        *thin = "with lines linewidth 0.8 linecolor rgb '#707070'",

@@ -1,0 +1,40 @@
+/// Standard errors of the extremes of a field, whatever the distribution of its heights.
+///
+/// The highest of many independent summits strays by the scale of the tail that they make up. With X₁ > X₂ >
+/// … the heights of the highest summits, 3 × 3 maxima at least two 1/e lengths apart along either axis,
+///     a = 1/5 Σ_{k≤5} X_k - X_6,     a' = the same of ln X_k,                                          (1)
+/// are that scale if the tail is exponential, as a Gaussian's nearly is, and if it is a power. By Gumbel's
+/// law the extreme X = X₁ has the standard error, with that of the mean, from which heights are measured,
+///     SE² = [π/√6 max(a, X a')]² + SE[z̄]²,                                                            (2)
+/// and a 95 % interval of its expectation, the wider of
+///     X - 1.89 a … X + 5.14 a     and     X e^(-1.89 a'') … X e^(5.14 a''),     a'' = min(a', 0.6),      (3)
+/// with the quantiles of (E[X] - X)/a for exponential tails. Below N_p = 100 patches there is none.
+///
+/// Symbols   X  extreme above the mean [m]      N_p  independent patches (effective_size.hpp)
+/// Scope     the expectation over fields of this size.
+/// Accuracy  in a prototype on 22 textures of 300 fields 91 to 100 % of the intervals hold it at N_p ≥ 100,
+///           and stated over true errors are 0.6 to 1.6: validation/error_coverage.
+/// Cost      a pass of some ten comparisons a point, and sorting the 600 highest maxima.
+///
+/// I. Weissman, Estimation of parameters and large quantiles based on the k largest observations, J. Am.
+/// Stat. Assoc. 73 (1978) 812-815, for (1).
+#pragma once
+
+#include <optional>
+
+#include "core/field.hpp"
+#include "stats/uncertainty/interval.hpp"
+
+namespace asperity {
+
+struct ExtremeError {
+  double error = 0;
+  Interval interval = {};
+};
+
+/// Of the highest of heights above their mean, whose correlation falls to 1/e at these lags [samples]; none
+/// where fewer than six summits are apart.
+std::optional<ExtremeError> extreme_error(const Field& heights, const Grid& grid, double length_x,
+                                          double length_y, double error_of_mean);
+
+}  // namespace asperity
