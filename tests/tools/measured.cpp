@@ -142,7 +142,7 @@ TEST_CASE("the lags that are left out change no figure and no error", "[carried]
   for (const std::string& texture : textures) {
     draw_texture(texture, "-o s.nc");
     draw_texture(texture, "--add kernel -o whole.nc");
-    for (const std::string measure : {"asperity-stats", "asperity-stats --parameters height --errors twins",
+    for (const std::string measure : {"asperity-stats", "asperity-stats --parameters height,material",
                                       "asperity-stats --remove-form plane", "asperity-acf --result profiles",
                                       "asperity-psd --result radial", "asperity-pdf", "asperity-validate"}) {
       const Outcome run = shell(measure + " -q s.nc"), all = shell(measure + " -q whole.nc");
