@@ -80,6 +80,7 @@ std::optional<ExtremeError> extreme_error(const Field& heights, const Grid& grid
   const double x = summits.front().height, a = scale_of_tail(summits, [](double height) { return height; }),
                relative = scale_of_tail(summits, [](double height) { return std::log(height); }),
                power = std::min(relative, heaviest);
+  if (!(a > 0)) return std::nullopt;  // equal heights
   return ExtremeError{std::hypot(std::numbers::pi / std::sqrt(6) * std::max(a, x * relative), error_of_mean),
                       Interval::of(x, std::min(x - low * a, x * std::exp(-low * power)),
                                    std::max(x + high * a, x * std::exp(high * power)))};

@@ -33,7 +33,7 @@ struct ExtremeError {
 };
 
 /// Of the highest of heights above their mean, whose correlation falls to 1/e at these lags [samples]; none
-/// where fewer than six summits are apart.
+/// where fewer than six summits are apart, or they are equal.
 std::optional<ExtremeError> extreme_error(const Field& heights, const Grid& grid, double length_x,
                                           double length_y, double error_of_mean);
 

@@ -91,19 +91,18 @@ class HeightInfluence {
 
 using Values = HeightInfluence::Values;
 
-// Whether starts of the core whose fall is within four errors of the least are apart: those between fall
-// more.
+// Whether starts whose fall is within three errors of the least are apart: those between fall by five errors
+// more, which is no noise of a few heights.
 bool has_rivals(const HeightInfluence& of, const MaterialRatioCurve& curve, double begin) {
   constexpr int starts = 300;
-  constexpr double room = 1 - core_width, errors = 4;
-  const double end = std::min(begin + core_width, 1.0),
-               bound = curve.height(begin) - curve.height(end) +
-                       errors * of.error(of.of_height(begin) - of.of_height(end)).error;
+  constexpr double room = 1 - core_width, near_least = 3, beyond = 5;
+  auto end_of = [](double p) { return std::min(p + core_width, 1.0); };
+  auto fall = [&](double p) { return curve.height(p) - curve.height(end_of(p)); };
+  const double error = of.error(of.of_height(begin) - of.of_height(end_of(begin))).error;
   int stretches = 0;
   bool within = false;
   for (int k = 0; k <= starts; ++k) {
-    const double p = room * k / starts;
-    const bool now = curve.height(p) - curve.height(std::min(p + core_width, 1.0)) <= bound;
+    const bool now = fall(room * k / starts) <= fall(begin) + (within ? beyond : near_least) * error;
     stretches += now && !within;
     within = now;
   }

@@ -163,7 +163,7 @@ void add_extremes(Heights& heights) {
     if (error)
       of.standard_error = error->error, of.interval = error->interval;
     else
-      of.why = "no standard error: fewer than six summits are two correlation lengths apart";
+      of.why = "no standard error: fewer than six summits are two lengths apart, or they are equal";
   }
 }
 

@@ -84,15 +84,19 @@ TEST_CASE("errors of the material ratio move with the unit, not with the level",
 }
 
 // Heights of feed marks are dense at both ends, and the curve falls as little at the valleys as at the peaks.
-TEST_CASE("the core of feed marks may be elsewhere, and says so", "[material-error][contract]") {
+TEST_CASE("the core of feed marks may be elsewhere, and says so; that of noise is where it is",
+          "[material-error][contract]") {
   const Field z = Field::NullaryExpr(128, 128, [](Index i, Index j) {
     return 1e-6 * (std::sin(0.5 * static_cast<double>(j) + 0.02 * static_cast<double>(i)) +
                    1e-3 * std::sin(3.1 * static_cast<double>(i * j)));
   });
   const Parameters all = measure({.grid = grid(128, 128), .heights = z}, {.groups = {Group::material}});
+  const Parameters of_noise =
+      measure({.grid = grid(64, 64), .heights = white_noise({64, 64}, 3)}, {.groups = {Group::material}});
   for (const char* name : {"Sk", "Smr1", "Smr2"}) {
     CAPTURE(name, named(all, name).why);
     CHECK(std::isnan(named(all, name).standard_error));
+    CHECK(named(of_noise, name).standard_error > 0);
   }
 }
 
@@ -118,6 +122,7 @@ TEST_CASE("the error of an extreme is that of the tail of the highest summits ap
     CHECK(relative_error(error->interval.low, std::min(9 - 1.89 * a, 9 * std::exp(-1.89 * relative))) <=
           1e-12);
     CHECK_FALSE(extreme_error(z, g, 60, 60, 0.3));
+    CHECK_FALSE(extreme_error((z > 0).select(Field::Ones(90, 90), z), g, 2, 2, 0.3));  // of one height
   }
 }
 
