@@ -74,16 +74,17 @@ double scale_of_tail(const std::vector<HighPoint>& summits, Of of) {
 
 std::optional<ExtremeError> extreme_error(const Field& heights, const Grid& grid, double length_x,
                                           double length_y, double error_of_mean) {
-  constexpr double low = 1.89, high = 5.14, heaviest = 0.6;
+  constexpr double low = 1.89, high = 5.14, heaviest = 0.6, t_of_mean = 2.2;
   const std::vector<HighPoint> summits = summits_of(heights, grid, length_x, length_y);
   if (summits.size() < summits_apart) return std::nullopt;
   const double x = summits.front().height, a = scale_of_tail(summits, [](double height) { return height; }),
                relative = scale_of_tail(summits, [](double height) { return std::log(height); }),
                power = std::min(relative, heaviest);
   if (!(a > 0)) return std::nullopt;  // equal heights
+  const double of_mean = t_of_mean * error_of_mean;
   return ExtremeError{std::hypot(std::numbers::pi / std::sqrt(6) * std::max(a, x * relative), error_of_mean),
-                      Interval::of(x, std::min(x - low * a, x * std::exp(-low * power)),
-                                   std::max(x + high * a, x * std::exp(high * power)))};
+                      Interval::of(x, std::min(x - std::hypot(low * a, of_mean), x * std::exp(-low * power)),
+                                   std::max(x + std::hypot(high * a, of_mean), x * std::exp(high * power)))};
 }
 
 }  // namespace asperity

@@ -8,7 +8,9 @@
 ///     SE² = [π/√6 max(a, X a')]² + SE[z̄]²,                                                            (2)
 /// and a 95 % interval of its expectation, the wider of
 ///     X - 1.89 a … X + 5.14 a     and     X e^(-1.89 a'') … X e^(5.14 a''),     a'' = min(a', 0.6),      (3)
-/// with the quantiles of (E[X] - X)/a for exponential tails. Below N_p = 100 patches there is none.
+/// with the quantiles of (E[X] - X)/a for exponential tails; 2.2 errors of the mean are added to the former
+/// in the root of the squares, which is all that an edge of the distribution strays by. Below N_p = 100
+/// patches there is none.
 ///
 /// Symbols   X  extreme above the mean [m]      N_p  independent patches (effective_size.hpp)
 /// Scope     the expectation over fields of this size.

@@ -117,10 +117,10 @@ TEST_CASE("the error of an extreme is that of the tail of the highest summits ap
                      (std::log(9) + std::log(8) + std::log(7) + std::log(6) + std::log(5)) / 5 - std::log(4);
     CHECK(relative_error(error->error, std::hypot(std::numbers::pi / std::sqrt(6) * std::max(a, 9 * relative),
                                                   0.3)) <= 1e-12);
-    CHECK(relative_error(error->interval.high, std::max(9 + 5.14 * a, 9 * std::exp(5.14 * relative))) <=
-          1e-12);
-    CHECK(relative_error(error->interval.low, std::min(9 - 1.89 * a, 9 * std::exp(-1.89 * relative))) <=
-          1e-12);
+    CHECK(relative_error(error->interval.high,
+                         std::max(9 + std::hypot(5.14 * a, 0.66), 9 * std::exp(5.14 * relative))) <= 1e-12);
+    CHECK(relative_error(error->interval.low,
+                         std::min(9 - std::hypot(1.89 * a, 0.66), 9 * std::exp(-1.89 * relative))) <= 1e-12);
     CHECK_FALSE(extreme_error(z, g, 60, 60, 0.3));
     CHECK_FALSE(extreme_error((z > 0).select(Field::Ones(90, 90), z), g, 2, 2, 0.3));  // of one height
   }
