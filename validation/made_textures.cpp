@@ -74,12 +74,10 @@ void scatter(Field& z, double a_point, double width, double height, Random& rand
   }
 }
 
-// Feed marks along lines of constant y - x²/(2R).
-Field marks(Shape shape, double apart, double radius, const Field& phase) {
+Field marks(Shape shape, double apart, const Field& phase) {
   return over(shape, [&](double i, double j) {
-    const double x = i - static_cast<double>(shape.nx) / 2, across = j - x * x / (2 * radius);
     return std::numbers::sqrt2 *
-           std::sin(full_turn * across / apart + 3 * phase(static_cast<Index>(i), static_cast<Index>(j)));
+           std::sin(full_turn * j / apart + 3 * phase(static_cast<Index>(i), static_cast<Index>(j)));
   });
 }
 
@@ -94,11 +92,6 @@ Field student(const Isotropic& field, Shape shape, Random& random) {
 std::vector<Texture> made(double l) {
   using Make = std::function<Field(Shape, Random&)>;
   const Isotropic base = rough(l), fine = rough(l / 3), coarse = smooth(3 * l), wandering = smooth(6 * l);
-  auto feed = [=](double radius) -> Make {
-    return [=](Shape shape, Random& random) -> Field {
-      return marks(shape, 3 * l, radius, wandering(shape, random)) + 0.3 * fine(shape, random);
-    };
-  };
   const std::vector<std::pair<const char*, Make>> all{
       {"patchy",
        [=](Shape shape, Random& random) -> Field {
@@ -110,12 +103,14 @@ std::vector<Texture> made(double l) {
          for (const double side : {-1, 1}) cut(z, side * full_turn / 12, 0.1 / l, l / 2, 2, random);
          return z;
        }},
-      {"turned", feed(1e9)},
-      {"milled", feed(80 * l)},
+      {"turned",
+       [=](Shape shape, Random& random) -> Field {
+         return marks(shape, 3 * l, wandering(shape, random)) + 0.3 * fine(shape, random);
+       }},
       {"scratches",
        [=](Shape shape, Random& random) {
          Field z = base(shape, random);
-         for (int k = 0; k < 8; ++k) cut(z, full_turn * uniform(random), 0.003 / l, l / 2, 4, random);
+         for (int k = 0; k < 8; ++k) cut(z, full_turn * uniform(random), 0.03 / l, l / 2, 4, random);
          return z;
        }},
       {"dust",

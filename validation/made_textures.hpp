@@ -3,8 +3,7 @@
 ///     patchy           exponential roughness of length l/3, its amplitude exp(0.7 y), y Gaussian of length 3l
 ///     hatch            honed: a plateau of fine roughness, crossed by grooves at ±30°, one in 5l
 ///     turned           feed marks, 3l apart, whose phase wanders along and across, and fine roughness
-///     milled           the same on arcs of radius 80l
-///     scratches, dust  exponential roughness with scratches in all directions, or particles, few and high
+///     scratches, dust  exponential roughness with scratches in all directions, or particles, high and apart
 ///     t                Student's t of 5 degrees of freedom: Gaussian over the root of χ²/5
 ///     two_processes    the lower of a coarse and a fine surface at every point
 #pragma once
