@@ -85,10 +85,18 @@ void warn_of_lengths(const cli::Tool& tool, const Options& what, const Parameter
     if (row.name.starts_with("length_") && !cli::warn_of_length(tool, row.name, row.value, grid)) break;
 }
 
+std::optional<double> direction_of(const Options& what) {
+  return what.direction.empty() ? std::nullopt : std::optional(cli::parse_angle("direction", what.direction));
+}
+
 Parameters lengths_of(const cli::AcfResult& result, const Options& what) {
-  std::optional<double> direction;
-  if (!what.direction.empty()) direction = cli::parse_angle("direction", what.direction);
-  return acf_lengths(result.estimate, levels_of(what.levels), direction, result.target, result.lengths);
+  return acf_lengths(result.estimate, levels_of(what.levels), direction_of(what), result.target,
+                     result.lengths);
+}
+
+PooledOptions pooled_lengths(const Options& what, const Grid& grid) {
+  return {.of_acf = [grid, levels = levels_of(what.levels), direction = direction_of(what)](
+                        const LagField& rho) { return acf_lengths(rho, grid, levels, direction); }};
 }
 
 // ---- the ACF ----
@@ -123,6 +131,16 @@ cli::AcfResult measured(const cli::Tool& tool, const Options& what, const Surfac
   return out;
 }
 
+// What one of several adds to their pool. The window of a tapered surface takes more than a mean does:
+// nothing is put back.
+MapSums sums_of(const cli::AcfResult& result, const Options& what, const Surface& surface, int threads) {
+  const Moments of_heights = moments(surface.heights, surface.variable);
+  const double least = std::ranges::min(levels_of(what.levels), {}, &AcfLevel::value).value;
+  MapSums out(of_heights, what.tapered ? 0 : taken_from(surface, result.estimate, of_heights, threads));
+  out.set_acf(result.estimate, least);
+  return out;
+}
+
 cli::AcfContent content(const Surface& surface, const Options& what) {
   return {surface.variable, surface.units, what.absolute, what.tapered ? cli::taper_of(surface.grid) : ""};
 }
@@ -142,15 +160,15 @@ void measure_one(cli::Tool& tool, const cli::FieldOptions& field, const Options&
 }
 
 // Of the lengths that all surfaces have.
-Parameters mean_lengths(const EnsembleParameters& lengths) {
+Parameters mean_lengths(const std::vector<EnsembleParameter>& lengths, int surfaces) {
   Parameters out;
-  for (const EnsembleParameter& length : lengths.all())
-    if (length.surfaces == lengths.surfaces())
-      out.push_back({length.name, length.mean, length.unit, length.standard_error(), ""});
+  for (const EnsembleParameter& length : lengths)
+    if (length.surfaces == surfaces)
+      out.push_back({length.name, length.mean, length.unit, length.standard_error, ""});
   return out;
 }
 
-// Several: the means, with errors by the spread between them.
+// Several: pooled.
 void measure_several(cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
                      cli::EnsembleInput& surfaces, const cli::Several& several) {
   if (what.adds("acf_quantiles"))
@@ -166,37 +184,58 @@ void measure_several(cli::Tool& tool, const cli::FieldOptions& field, const Opti
       [&](const cli::EnsembleMember& member) {
         const Surface surface = field.read(tool, member.data);
         cli::AcfResult result = measured(tool, what, surface, member.data);
+        result.sums = sums_of(result, what, surface, tool.thread_count());
         Parameters lengths = lengths_of(result, what);
         return One{std::move(result), std::move(lengths), content(surface, what)};
       },
       [&](const One& one, const std::string&) {
-        if (!mean) mean.emplace(one.content);
+        if (!mean) mean.emplace(one.content, pooled_lengths(what, one.result.estimate.grid()));
         mean->add(one.result, one.lengths, what.result.dataset());
       },
       several);
-  warn_of_lengths(tool, what, mean_lengths(mean->lengths()), mean->grid());
+  const std::vector<EnsembleParameter> lengths = mean->lengths();
+  warn_of_lengths(tool, what, mean_lengths(lengths, mean->surfaces()), mean->grid());
   if (what.tapered)
     tool.note(
         "twins of the mean of several surfaces have Gaussian heights, unless asperity-generate --marginal "
         "says otherwise");
-  if (!what.result.dataset()) return cli::print(tool, cli::ensemble_table(mean->lengths()));
+  if (!what.result.dataset()) return cli::print(tool, cli::ensemble_table(lengths));
   Dataset data = mean->dataset();
   tool.write(data);
 }
 
-// Of one surface with errors by theory, of several the mean.
+// Of one surface with errors by theory, of several pooled.
 int print_profiles(const cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
                    cli::EnsembleInput& surfaces, const cli::Several& several) {
-  const auto content_of = [](const cli::Table&) {
+  struct One {
+    cli::AcfResult result;
+    cli::Table table;
+  };
+  cli::EnsembleTable mean([](const cli::Table&) {
     return cli::EnsembleTable::Content{
         .keys = {"direction", "lag"}, .value = "acf", .others = {"structure_function"}, .means = {"target"}};
-  };
-  return cli::print_table(tool, surfaces, several, content_of, [&](const cli::EnsembleMember& member) {
-    const Surface surface = field.read(tool, member.data);
-    const cli::AcfResult result = measured(tool, what, surface, member.data);
-    if (member.alone()) warn_of_few(tool, result.estimate.size);
-    return acf_profiles(result, content(surface, what));
   });
+  cli::PooledAcf pooled;
+  const bool alone = surfaces.resolve(tool) == 1;
+  const int code = surfaces.for_each(
+      tool,
+      [&](const cli::EnsembleMember& member) {
+        const Surface surface = field.read(tool, member.data);
+        cli::AcfResult result = measured(tool, what, surface, member.data);
+        if (alone) warn_of_few(tool, result.estimate.size);
+        if (!alone) result.sums = sums_of(result, what, surface, tool.thread_count());
+        cli::Table table = acf_profiles(result, content(surface, what));
+        return One{std::move(result), std::move(table)};
+      },
+      [&](const One& one, const std::string& name) {
+        if (alone) return cli::print(tool, one.table);
+        mean.add(one.table, name), pooled.add(one.result);
+      },
+      several);
+  if (!alone)
+    mean.print(tool, cli::profiles_of(pooled.values(what.absolute)),
+               cli::profiles_of(pooled.errors(what.absolute)));
+  return code;
 }
 
 int measure(cli::Tool& tool, const cli::FieldOptions& field, Options& what, cli::EnsembleInput& surfaces) {
@@ -270,11 +309,12 @@ int main(int argc, char** argv) {
       "(acf_variance), the skewness and kurtosis of the heights (acf_skewness, acf_kurtosis), and the "
       "lengths at which it first falls to 10 % and 1/e or to --levels (acf_length_10_x and so on). --result "
       "lengths prints these lengths; --result profiles prints the two profiles, one row per lag, with "
-      "standard errors and the target if the dataset has one (acf_target). For several surfaces each result "
-      "is "
-      "the mean over them, with the standard error by their spread and the spread expected from the errors "
-      "of "
-      "the single surfaces; the dataset then holds acf, acf_error and the attributes, but no heights.");
+      "standard errors and the target if the dataset has one (acf_target). Several surfaces are pooled: each "
+      "result is that of their common ACF, with what means or forms took put back, its standard error, the "
+      "spread between the surfaces, and the spread expected from their errors. A 95 % interval is Student's "
+      "t "
+      "of surfaces - 1 degrees of freedom, 39 at most, times the standard error on either side. The dataset "
+      "then holds acf, acf_error and the attributes, but no heights.");
   cli::EnsembleInput inputs;
   cli::FieldOptions options;
   Options what;

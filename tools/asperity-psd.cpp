@@ -112,8 +112,9 @@ cli::Table table(const cli::Tool& tool, const Options& what, Surface surface) {
 
 // What of these tables has a mean.
 cli::EnsembleTable::Content content_of(const cli::Table& one) {
-  if (one.columns[0].name == "direction") return {.keys = {"direction", "wave_number"}, .value = "psd"};
-  return {.keys = {"wave_number", "count"}, .value = "psd"};
+  if (one.columns[0].name == "direction")
+    return {.keys = {"direction", "wave_number"}, .value = "psd", .reason = "no_error"};
+  return {.keys = {"wave_number", "count"}, .value = "psd", .reason = "no_error"};
 }
 
 // The dataset of one surface.
@@ -207,9 +208,9 @@ int main(int argc, char** argv) {
       "with a window of mean square 1. --result radial prints its mean over rings of wave numbers; "
       "--result profiles prints the PSD of the profiles, in m3. For several surfaces each is the mean over "
       "them, "
-      "with the standard error by their spread and the spread expected from the errors of the single "
-      "surfaces; "
-      "the dataset then holds psd, psd_error and the attributes, but no heights.");
+      "with the standard error by their spread, of surfaces - 1 degrees of freedom of Student's t, and the "
+      "spread expected from the errors of the single surfaces, and none where a bias of all of them exceeds "
+      "it; the dataset then holds psd, psd_error and the attributes, but no heights.");
   cli::EnsembleInput inputs;
   cli::FieldOptions options;
   Options what;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 
+#include "stats/measure/pooled_maps.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/measure/height_tables.hpp"
 #include "tools/measure/stats_options.hpp"
@@ -14,7 +15,9 @@ namespace {
 // Of one surface.
 struct Measured {
   Parameters rows;
+  Grid grid = {};
   std::optional<EffectiveSampleSize> size = {};  ///< none of a flat one
+  std::optional<MapSums> sums = {};              ///< of one of several, that is not flat
   std::string missing = {}, doubt = {};  ///< why it has no hybrid parameters; what they are doubted for
 };
 
@@ -39,7 +42,7 @@ struct Warnings {
 // The groups asked for.
 Measured measured(const cli::Tool& tool, const std::string& variable, const MeasureOptions& asked,
                   const Sample& sample) {
-  Measured out{.rows = {}, .size = sample.size()};
+  Measured out{.rows = {}, .grid = sample.grid(), .size = sample.size()};
   for (const Group group : asked.groups) {
     const Parameters rows = measure(sample, group, asked);
     if (group == Group::hybrid) {
@@ -79,14 +82,39 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const
   const Sample sample(std::move(surface), tool.thread_count());
   Measured out = measured(tool, field.variable, asked, sample);
   if (options.errors == "none") drop_errors(out.rows);
+  if (!member.alone() && !options.compare) out.sums = map_sums(sample, out.rows, asked);
   return out;
 }
+
+// Pooled, where no surface is flat.
+class Mean {
+ public:
+  Mean(const MeasureOptions& asked) : asked_(asked) {}
+  void add(const Measured& one) {
+    means_.add(one.rows);
+    if (one.sums) pool_.add(*one.sums);
+  }
+  const EnsembleParameters& of_estimates() const { return means_; }
+  std::vector<EnsembleParameter> pooled(const Grid& grid) const {
+    std::vector<EnsembleParameter> out = means_.all();
+    if (pool_.maps() < means_.surfaces()) return out;
+    const auto of_acf = [&](const LagField& rho) { return lobe_lengths(rho, grid, asked_.sal_level); };
+    take_pooled(out, pool_.all({asked_.quantiles, asked_.material_ratios, of_acf}), pool_.maps());
+    return out;
+  }
+
+ private:
+  const MeasureOptions& asked_;
+  EnsembleParameters means_ = {};
+  PooledMaps pool_ = {};
+};
 
 int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const cli::StatsOptions& options) {
   const MeasureOptions asked = options.checked(tool);
   if (options.compare && surfaces.resolve(tool) == 1)
     throw cli::UsageError("compare", "needs two surfaces or more, and there is one");
-  EnsembleParameters mean;
+  Mean mean(asked);
+  Grid grid;
   std::optional<Parameters> first;
   Parameters last;
   Warnings warnings;
@@ -98,15 +126,17 @@ int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const 
           first = std::move(one.rows);
           return;
         }
-        mean.add(one.rows);
+        mean.add(one);
+        grid = one.grid;
         last = std::move(one.rows);
       },
       {.variable = options.field.variable});
   warnings.print(tool);
   if (first)
-    cli::print(tool, cli::comparison_table(compared(*first, mean, last)));
+    cli::print(tool, cli::comparison_table(compared(*first, mean.of_estimates(), last)));
   else
-    mean.surfaces() == 1 ? cli::print(tool, last) : cli::print(tool, cli::ensemble_table(mean));
+    mean.of_estimates().surfaces() == 1 ? cli::print(tool, last)
+                                        : cli::print(tool, cli::ensemble_table(mean.pooled(grid)));
   return cli::done;
 }
 
@@ -124,8 +154,12 @@ int main(int argc, char** argv) {
       "asperity-stats",
       "Measures surface parameters (ISO 25178-2) with standard errors that allow for the correlation of "
       "neighbouring heights. Kurtosis is 3 for a Gaussian; moments are population moments of the whole "
-      "field. For several surfaces it prints the mean of each parameter, its standard error, its spread, and "
-      "the spread expected from the errors of the single surfaces. All surfaces need the same spacing, "
+      "field. For several surfaces it prints the pooled value of each parameter, of all their heights, "
+      "slopes "
+      "and correlations together, its standard error, the spread between the surfaces, and the spread "
+      "expected from their errors. A 95 % interval is Student's t of surfaces - 1 degrees of freedom, 39 at "
+      "most, times the standard error on either side. Sal, Str and the slowest decay keep a bias then, and "
+      "have no error. All surfaces need the same spacing, "
       "because slopes, peaks and lengths depend on it; surfaces of different sizes are averaged with a "
       "warning. With --compare it says in which parameters the first surface differs from the others.");
   cli::EnsembleInput surfaces;

@@ -25,19 +25,6 @@ LagField lags_of_lengths(const LagField& rho, const Grid& grid, double level,
   }
 }
 
-// Lags at which the upper end of an interval is looked for: two and a half times as far as ρ exceeds the
-// level, on an ellipse.
-Shape lags_about(const LagField& rho, const Grid& grid, double level) {
-  const CentralLobe lobe = central_lobe(lags_of_lengths(rho, grid, level), grid, level);
-  if (!lobe.r_min || !lobe.r_max) return rho.max_lag();
-  const double c = std::cos(lobe.r_max->angle), s = std::sin(lobe.r_max->angle);
-  auto far = [&](double along_major, double along_minor, double spacing, Index most) {
-    const double half_side = std::hypot(lobe.r_max->length * along_major, lobe.r_min->length * along_minor);
-    return std::min(most, static_cast<Index>(2.5 * half_side / spacing) + 3);
-  };
-  return {far(c, s, grid.dx, rho.max_p()), far(s, c, grid.dy, rho.max_q())};
-}
-
 AcfDeviations deviations_of(const AcfEstimate& estimate, const LagWaves& waves) {
   return estimate.biased ? waves.of_ratio(estimate.rho).scaled([&](Index p, Index q) {
     return estimate.basis.pairs.pair_fraction(p, q);
@@ -84,6 +71,17 @@ void add_lengths(ParameterList& out, const LagField& rho, const Grid& grid, cons
 }
 
 }  // namespace
+
+Shape lags_about(const LagField& rho, const Grid& grid, double level) {
+  const CentralLobe lobe = central_lobe(lags_of_lengths(rho, grid, level), grid, level);
+  if (!lobe.r_min || !lobe.r_max) return rho.max_lag();
+  const double c = std::cos(lobe.r_max->angle), s = std::sin(lobe.r_max->angle);
+  auto far = [&](double along_major, double along_minor, double spacing, Index most) {
+    const double half_side = std::hypot(lobe.r_max->length * along_major, lobe.r_min->length * along_minor);
+    return std::min(most, static_cast<Index>(2.5 * half_side / spacing) + 3);
+  };
+  return {far(c, s, grid.dx, rho.max_p()), far(s, c, grid.dy, rho.max_q())};
+}
 
 void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
                  const std::string& level_text, const std::array<std::string, 2>& names,
@@ -221,18 +219,34 @@ Estimate LengthErrors::axis(double angle, const AcfDeviations::Figure& figure, c
   return {angle, error, Interval::about(angle, deviations_.quantile(0.025) * error)};
 }
 
+namespace {
+
+ParameterList list_of_lengths(const LagField& rho, const Grid& grid, const std::vector<AcfLevel>& levels,
+                              const std::optional<double>& direction, const std::optional<LagField>& target,
+                              const LengthErrors* errors) {
+  ParameterList out("1");
+  const double least = std::ranges::min(levels, {}, &AcfLevel::value).value;
+  const LagField near = lags_of_lengths(rho, grid, least, direction);
+  for (const AcfLevel& level : levels) {
+    add_lengths(out, near, grid, level, direction, "", errors);
+    if (target) add_lengths(out, *target, grid, level, direction, "target_", nullptr);
+  }
+  return out;
+}
+
+}  // namespace
+
 Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>& levels,
                        const std::optional<double>& direction, const std::optional<LagField>& target,
                        const std::optional<LengthErrors>& errors) {
-  ParameterList out("1");
-  const Grid& grid = estimate.grid();
-  const double least = std::ranges::min(levels, {}, &AcfLevel::value).value;
-  const LagField near = lags_of_lengths(estimate.rho, grid, least, direction);
-  for (const AcfLevel& level : levels) {
-    add_lengths(out, near, grid, level, direction, "", errors ? &*errors : nullptr);
-    if (target) add_lengths(out, *target, grid, level, direction, "target_", nullptr);
-  }
-  return std::move(out).with_known_errors(estimate.size);
+  return list_of_lengths(estimate.rho, estimate.grid(), levels, direction, target,
+                         errors ? &*errors : nullptr)
+      .with_known_errors(estimate.size);
+}
+
+Parameters acf_lengths(const LagField& rho, const Grid& grid, const std::vector<AcfLevel>& levels,
+                       const std::optional<double>& direction) {
+  return list_of_lengths(rho, grid, levels, direction, {}, nullptr).all();
 }
 
 }  // namespace asperity

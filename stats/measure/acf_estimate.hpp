@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stats/measure/parameter.hpp"
+#include "stats/measure/sample.hpp"
 #include "stats/measure/surface.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/acf_length.hpp"
@@ -28,9 +29,15 @@ struct AcfEstimate {
   AcfEstimate(const LagField& acf, const ErrorBasis& basis, bool biased = false);
   /// Of a prepared surface.
   static AcfEstimate of(const Surface& surface, const AcfParameters& parameters);
+  /// At lags up to half the field.
+  static AcfEstimate of(const Sample& sample);
 
   const Grid& grid() const { return basis.pairs.grid(); }
 };
+
+/// Lags at which the upper end of an interval is looked for: two and a half times as far as ρ exceeds the
+/// level, on an ellipse.
+Shape lags_about(const LagField& rho, const Grid& grid, double level);
 
 /// Standard errors of R(p,0) or R(0,q), a row each lag; NaN if too few heights are independent.
 struct ProfileErrors {
@@ -95,5 +102,10 @@ struct AcfLevel {
 Parameters acf_lengths(const AcfEstimate& estimate, const std::vector<AcfLevel>& levels,
                        const std::optional<double>& direction, const std::optional<LagField>& target,
                        const std::optional<LengthErrors>& errors);
+/// Those of any normalised ρ, without errors.
+Parameters acf_lengths(const LagField& rho, const Grid& grid, const std::vector<AcfLevel>& levels,
+                       const std::optional<double>& direction);
+/// Sal, Str, the slowest decay, the ellipse and their directions, at this level, without errors.
+Parameters lobe_lengths(const LagField& rho, const Grid& grid, double level);
 
 }  // namespace asperity

@@ -10,45 +10,6 @@
 namespace asperity {
 namespace {
 
-// A value and its square error; a direction by the wave that has it, of two periods a turn.
-Eigen::Array3d summed(const Parameter& parameter) {
-  const double value = parameter.value, square_error = parameter.standard_error * parameter.standard_error;
-  if (parameter.unit != "rad") return {square_error, value, 0};
-  return {square_error, std::cos(2 * value), std::sin(2 * value)};
-}
-
-}  // namespace
-
-void EnsembleParameters::add(const Parameters& parameters) {
-  ++surfaces_;
-  for (const Parameter& parameter : parameters) {
-    auto known = std::ranges::find(quantities_, parameter.name, &Quantity::name);
-    if (known == quantities_.end()) known = quantities_.insert(known, {parameter.name, parameter.unit});
-    known->values.add(summed(parameter));
-    known->is_bound |= parameter.is_bound;
-  }
-}
-
-std::vector<EnsembleParameter> EnsembleParameters::all() const {
-  std::vector<EnsembleParameter> out;
-  for (const auto& [name, unit, values, is_bound] : quantities_) {
-    const Eigen::Array3d m = values.mean();
-    const double n = values.count()(1);
-    EnsembleParameter of{name, unit, m(1), values.spread()(1), std::sqrt(m(0)), n, is_bound};
-    if (unit == "rad") {
-      const double length = std::min(std::hypot(m(1), m(2)), 1.0);
-      of.mean = std::atan2(m(2), m(1)) / 2;
-      of.spread = n > 1 ? std::sqrt(-2 * std::log(length) * n / (n - 1)) / 2 : NAN;
-    }
-    out.push_back(of);
-  }
-  return out;
-}
-
-namespace {
-
-constexpr double comparison_level = 0.01;  // shared among the parameters
-
 // e and its degrees of freedom; NaN where there is none.
 struct KnownTo {
   double error = unknown, degrees = unknown;
@@ -72,9 +33,72 @@ KnownTo known_to(const Parameter& p) {
   return {p.standard_error, degrees_of(width / 2 / p.standard_error)};
 }
 
+// Square error, value, 1/ν; a direction by the wave that has it, of two periods a turn.
+Eigen::Array4d summed(const Parameter& parameter) {
+  const double value = parameter.value, square_error = parameter.standard_error * parameter.standard_error,
+               fewness = 1 / known_to(parameter).degrees;
+  if (parameter.unit != "rad") return {square_error, value, 0, fewness};
+  return {square_error, std::cos(2 * value), std::sin(2 * value), fewness};
+}
+
+}  // namespace
+
+void EnsembleParameters::add(const Parameters& parameters) {
+  ++surfaces_;
+  for (const Parameter& parameter : parameters) {
+    auto known = std::ranges::find(quantities_, parameter.name, &Quantity::name);
+    if (known == quantities_.end()) known = quantities_.insert(known, {parameter.name, parameter.unit});
+    known->values.add(summed(parameter));
+    known->is_bound |= parameter.is_bound;
+  }
+}
+
+std::vector<EnsembleParameter> EnsembleParameters::all() const {
+  std::vector<EnsembleParameter> out;
+  for (const auto& [name, unit, values, is_bound] : quantities_) {
+    const Eigen::Array4d m = values.mean();
+    const double n = values.count()(1);
+    EnsembleParameter of{name, unit, m(1), 0, values.spread()(1), std::sqrt(m(0)), n, n / m(3), is_bound};
+    if (unit == "rad") {
+      const double length = std::min(std::hypot(m(1), m(2)), 1.0);
+      of.mean = std::atan2(m(2), m(1)) / 2;
+      of.spread = n > 1 ? std::sqrt(-2 * std::log(length) * n / (n - 1)) / 2 : NAN;
+    }
+    of.standard_error = of.spread / std::sqrt(n);
+    out.push_back(of);
+  }
+  return out;
+}
+
+namespace {
+
+// Extremes over directions, and what they have.
+bool keeps_bias(const std::string& name) {
+  return name.starts_with("Sal") || name.starts_with("slowest_") || name == "Str";
+}
+
+}  // namespace
+
+void take_pooled(std::vector<EnsembleParameter>& means, const Parameters& pooled, int maps) {
+  for (EnsembleParameter& mean : means) {
+    const auto found = std::ranges::find(pooled, mean.name, &Parameter::name);
+    if (keeps_bias(mean.name)) mean.standard_error = unknown;
+    if (found == pooled.end() || !std::isfinite(found->value)) continue;
+    mean.mean = found->value, mean.surfaces = maps;
+    if (!keeps_bias(mean.name)) mean.standard_error = found->standard_error;
+  }
+}
+
+namespace {
+
+constexpr double comparison_level = 0.01;  // shared among the parameters
+
 KnownTo known_to(const EnsembleParameter& p) {
   if (p.is_bound || !(p.spread > 0)) return {};
-  return {p.standard_error(), p.surfaces - 1};
+  const double few = p.surfaces - 1, of_spread = 1 / std::sqrt(2 * few);  // its relative error
+  const bool as_expected = std::abs(p.spread / p.expected_spread - 1) <= 2 * of_spread;
+  return {std::fmax(p.spread, p.expected_spread) / std::sqrt(p.surfaces),
+          as_expected ? std::fmax(few, p.expected_degrees) : few};
 }
 
 // Welch's, where the errors are known apart.
@@ -96,9 +120,9 @@ bool is_p_value(const Parameter& p) { return p.unit == "1" && p.name.ends_with("
 void judge(ComparedParameter& c, const Parameter& x, const Parameter* y, const EnsembleParameter& others) {
   const KnownTo of_x = known_to(x), of_y = y ? known_to(*y) : known_to(others);
   const bool alike = std::isnan(of_x.error) && !y && !x.is_bound && !is_p_value(x);
-  const KnownTo taken = alike ? KnownTo{others.spread, of_y.degrees} : of_x;
+  const KnownTo taken = alike ? KnownTo{others.spread, others.surfaces - 1} : of_x;
   c.first_error = taken.error, c.others_error = of_y.error;
-  judge(c, taken, of_y, alike ? of_y.degrees : common_degrees(of_x, of_y));
+  judge(c, taken, of_y, alike ? taken.degrees : common_degrees(of_x, of_y));
 }
 
 }  // namespace

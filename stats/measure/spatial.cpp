@@ -18,10 +18,11 @@ constexpr Definition<TextureDirection> texture_table[] = {
     {"Std_contrast", "1", "largest power over directions divided by the mean, 1 for no texture",
      value_of<&TextureDirection::contrast>}};
 
-void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const LengthErrors* errors) {
-  const CentralLobe lobe = central_lobe(acf.rho, acf.grid(), level);
+void add_lobe(ParameterList& out, const LagField& acf, const Grid& grid, double level,
+              const LengthErrors* errors) {
+  const CentralLobe lobe = central_lobe(acf, grid, level);
   const Words words{.meaning = shortest(level), .why_no_error = errors ? no_level : ""};
-  auto of_lobe = [grid = acf.grid(), level](auto value) {
+  auto of_lobe = [grid, level](auto value) {
     return
         [=](const LagField& rho) -> std::optional<double> { return value(central_lobe(rho, grid, level)); };
   };
@@ -41,7 +42,7 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const Le
             words);
     auto axis = of_lobe(
         [which](const CentralLobe& l) { return l.*which ? std::optional((l.*which)->angle) : std::nullopt; });
-    const double between_lags = std::max(acf.grid().dx, acf.grid().dy) / reach.length;
+    const double between_lags = std::max(grid.dx, grid.dy) / reach.length;
     out.add(direction, "rad", of_direction,
             errors && aspect ? errors->axis(reach.angle, axis, *aspect, between_lags) : Estimate{reach.angle},
             {.why_no_error = errors && aspect ? no_direction : ""});
@@ -54,22 +55,33 @@ void add_lobe(ParameterList& out, const AcfEstimate& acf, double level, const Le
     out.add("Str", "1", "texture aspect ratio, fastest over slowest decay", *aspect,
             {.why_no_error = errors ? no_level : ""});
   if (lobe.ellipse)
-    add_ellipse(out, *lobe.ellipse, acf.grid(), level, words.meaning, {"gamma", "gamma_direction"}, errors);
+    add_ellipse(out, *lobe.ellipse, grid, level, words.meaning, {"gamma", "gamma_direction"}, errors);
 }
 
 }  // namespace
 
-Parameters spatial_parameters(const Sample& sample, const MeasureOptions& options) {
-  const Field& z = sample.surface().heights;
+Parameters lobe_lengths(const LagField& rho, const Grid& grid, double level) {
+  ParameterList out("1");
+  add_lobe(out, rho, grid, level, nullptr);
+  return std::move(out).all();
+}
+
+AcfEstimate AcfEstimate::of(const Sample& sample) {
   const ErrorBasis& basis = sample.basis();
   const AcfParameters half{.max_lag = default_max_lag(sample.grid()), .threads = sample.threads()};
+  return {basis.estimated ? basis.correlation
+                          : estimate_autocorrelation(sample.surface().heights, basis.pairs, half),
+          basis};
+}
+
+Parameters spatial_parameters(const Sample& sample, const MeasureOptions& options) {
+  const Field& z = sample.surface().heights;
   ParameterList out(sample.surface().units);
-  const AcfEstimate acf{basis.estimated ? basis.correlation : estimate_autocorrelation(z, basis.pairs, half),
-                        basis};
+  const AcfEstimate acf = AcfEstimate::of(sample);
   std::optional<LengthErrors> errors;
   if (sample.needs_errors() && acf.size.gives_errors())
     errors.emplace(acf, z, options.sal_level, sample.threads());
-  add_lobe(out, acf, options.sal_level, errors ? &*errors : nullptr);
+  add_lobe(out, acf.rho, acf.grid(), options.sal_level, errors ? &*errors : nullptr);
   const LagField psd = power_spectrum(z, sample.grid(), default_windows(sample.grid()), sample.threads());
   out.add(texture_table, texture_direction(psd, sample.grid()),
           {.why = "no value: the field has too few wave numbers"});

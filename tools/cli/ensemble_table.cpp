@@ -31,7 +31,7 @@ void append(Table& table, const Column& column, const Eigen::ArrayXd& values) {
 
 }  // namespace
 
-Table ensemble_table(const EnsembleParameters& parameters) {
+Table ensemble_table(const std::vector<EnsembleParameter>& parameters) {
   Table out{{{"quantity", ""},
              {"unit", ""},
              {"mean", "SI", Holds::unknown},
@@ -40,9 +40,9 @@ Table ensemble_table(const EnsembleParameters& parameters) {
              {"expected_spread", "SI", Holds::unknown},
              {"surfaces", "1"}},
             {}};
-  for (const EnsembleParameter& p : parameters.all()) {
+  for (const EnsembleParameter& p : parameters) {
     if (p.is_bound) out.bounds.insert({out.rows.size(), 2});
-    out.rows.push_back({p.name, p.unit, p.mean, p.standard_error(), p.spread, p.expected_spread, p.surfaces});
+    out.rows.push_back({p.name, p.unit, p.mean, p.standard_error, p.spread, p.expected_spread, p.surfaces});
   }
   return out;
 }
@@ -101,6 +101,29 @@ void EnsembleTable::add_further(const Table& table, const std::string& name, boo
   known->values.add(numbers_in(table, name));
 }
 
+void EnsembleTable::add_reasons(const Table& table) {
+  const Column* column = content_.reason.empty() ? nullptr : column_of(table, content_.reason);
+  if (column == nullptr) return;
+  reasons_.resize(table.rows.size());
+  for (std::size_t i = 0; i < reasons_.size(); ++i) {
+    const auto& why =
+        std::get<std::string>(table.rows[i][static_cast<std::size_t>(column - table.columns.data())]);
+    if (why != "-" && reasons_[i].surfaces++ == 0) reasons_[i].first = why;
+  }
+}
+
+void EnsembleTable::append_reasons(Table& out) const {
+  constexpr double most = 0.1;
+  if (reasons_.empty()) return;
+  const auto error = static_cast<std::size_t>(column_of(out, content_.error) - out.columns.data());
+  out.columns.push_back({content_.reason, ""});
+  for (std::size_t i = 0; i < reasons_.size(); ++i) {
+    const bool biased = reasons_[i].surfaces > most * surfaces_;
+    if (biased) out.rows[i][error] = NAN;
+    out.rows[i].emplace_back(biased ? reasons_[i].first : "-");
+  }
+}
+
 void EnsembleTable::add(const Table& table, const std::string& file) {
   if (surfaces_++ == 0) first_ = table, file_ = file, content_ = content_of_(table);
   check_keys(table, file);
@@ -108,6 +131,7 @@ void EnsembleTable::add(const Table& table, const std::string& file) {
   if (column_of(table, content_.error)) square_errors_.add(numbers_in(table, content_.error).square());
   for (const std::string& name : content_.others) add_further(table, name, true);
   for (const std::string& name : content_.means) add_further(table, name, false);
+  add_reasons(table);
 }
 
 Table EnsembleTable::table() const {
@@ -131,11 +155,20 @@ Table EnsembleTable::table() const {
     append(out, {"expected_spread", unit, Holds::unknown}, square_errors_.mean().sqrt());
   }
   append(out, {"surfaces", "1"}, values_.count());
+  append_reasons(out);
   return out;
 }
 
-void EnsembleTable::print(const Tool& tool) const {
-  if (surfaces_ > 0) cli::print(tool, table());
+void EnsembleTable::print(const Tool& tool, const Eigen::ArrayXd& pooled,
+                          const Eigen::ArrayXd& errors) const {
+  if (surfaces_ == 0) return;
+  Table out = table();
+  const auto value = static_cast<std::size_t>(column_of(out, content_.value) - out.columns.data());
+  for (Index i = 0; i < pooled.size(); ++i) {
+    auto& row = out.rows[static_cast<std::size_t>(i)];
+    row[value] = pooled(i), row[value + 1] = errors(i);
+  }
+  cli::print(tool, out);
 }
 
 int print_table(const Tool& tool, EnsembleInput& surfaces, const Several& several,
@@ -169,7 +202,7 @@ using SurfaceRows = std::vector<SurfaceRow>;
 struct ResultColumn {
   std::string attribute;
   Column column;
-  bool averaged;
+  bool averaged, share;  // share: of 0 or 1
 };
 
 // Nothing of a text or of several numbers.
@@ -197,7 +230,8 @@ std::vector<ResultColumn> result_columns(const SurfaceRows& rows, const RowConte
       const bool result = known.role == Role::result && !among(content.without, shown);
       if (!result && !among(content.achieved, shown)) continue;
       const std::string unit = known.unit == "yes" ? "1" : std::string(known.unit);
-      out.push_back({name, {shown, unit, Holds::open}, result && !among(content.places, shown)});
+      const bool share = known.unit == "yes" && !shown.ends_with("converged");
+      out.push_back({name, {shown, unit, Holds::open}, result && !among(content.places, shown), share});
     }
   return out;
 }
@@ -206,6 +240,21 @@ double value_in(const SurfaceRow& row, const ResultColumn& column) {
   if (column.column.name == "converged") return row.results.converged ? 1 : 0;
   const Values* values = row.results.attributes.find(column.attribute);
   return values == nullptr ? NAN : number_in(*values).value_or(NAN);
+}
+
+// Of a share p of n: that which p ± 1.96 of it reaches the farther end of Wilson's 95 % interval with.
+double error_of_share(double p, double n) {
+  const double z = half_width_95, middle = (p + z * z / (2 * n)) / (1 + z * z / n),
+               half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+  return (std::abs(middle - p) + half) / z;
+}
+
+Eigen::ArrayXd errors_of(const Ensemble& ensemble, const std::vector<ResultColumn>& columns) {
+  Eigen::ArrayXd out = ensemble.standard_error();
+  for (Index i = 0; i < out.size(); ++i)
+    if (columns[static_cast<std::size_t>(i)].share && ensemble.count()(i) > 0)
+      out(i) = error_of_share(ensemble.mean()(i), ensemble.count()(i));
+  return out;
 }
 
 Table table_of(const SurfaceRows& rows, const RowContent& content) {
@@ -229,7 +278,7 @@ Table table_of(const SurfaceRows& rows, const RowContent& content) {
     add_row(row.surface, values);
   }
   add_row("mean", ensemble.mean());
-  add_row("standard_error", ensemble.standard_error());
+  add_row("standard_error", errors_of(ensemble, columns));
   return out;
 }
 

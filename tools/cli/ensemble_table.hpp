@@ -21,7 +21,7 @@ namespace asperity::cli {
 
 // ---- a row for each parameter ----
 
-Table ensemble_table(const EnsembleParameters& parameters);
+Table ensemble_table(const std::vector<EnsembleParameter>& parameters);
 /// The verdict is "differs", "agrees", or "unknown" without an error.
 Table comparison_table(const std::vector<ComparedParameter>& parameters);
 
@@ -38,6 +38,9 @@ class EnsembleTable {
     std::vector<std::string> keys;  ///< columns that are the same for all surfaces
     std::string value, error = "standard_error";
     std::vector<std::string> others = {}, means = {};
+    /// Words why a row of one surface has no error, "-" where it has one. They tell of a bias that all
+    /// surfaces have: rows for which more than a tenth of them give a reason have no error.
+    std::string reason = {};
   };
   using ContentOf = std::function<Content(const Table& first)>;
   explicit EnsembleTable(ContentOf content) : content_of_(std::move(content)) {}
@@ -46,12 +49,14 @@ class EnsembleTable {
   void add(const Table& table, const std::string& file);
   /// Keys, value, error, others, means, and spread, expected_spread, surfaces of the value.
   Table table() const;
-  /// Nothing where none was added.
-  void print(const Tool& tool) const;
+  /// Nothing where none was added. Pooled values, and their errors, take the place of the means.
+  void print(const Tool& tool, const Eigen::ArrayXd& pooled = {}, const Eigen::ArrayXd& errors = {}) const;
 
  private:
   void check_keys(const Table& table, const std::string& file) const;
   void add_further(const Table& table, const std::string& name, bool with_error);
+  void add_reasons(const Table& table);
+  void append_reasons(Table& out) const;
 
   ContentOf content_of_;
   Content content_ = {};
@@ -64,6 +69,11 @@ class EnsembleTable {
     Ensemble values = {};
   };
   std::vector<Further> further_ = {};
+  struct Reason {
+    std::string first = "-";
+    int surfaces = 0;
+  };
+  std::vector<Reason> reasons_ = {};  ///< a row each
   int surfaces_ = 0;
 };
 
@@ -106,8 +116,8 @@ struct SurfaceResults {
 };
 
 /// Prints a row for each of several surfaces, then rows "mean" and "standard_error", by the spread between
-/// the converged surfaces. One that fails as `several` allows is a row of unknown numbers. Returns the worst
-/// exit code.
+/// the converged surfaces; of a share, whose spread may be 0, by Wilson's interval. One that fails as
+/// `several` allows is a row of unknown numbers. Returns the worst exit code.
 int print_rows(const Tool& tool, EnsembleInput& surfaces, Several several, const RowContent& content,
                const std::function<SurfaceResults(EnsembleMember&&)>& results_of_one);
 

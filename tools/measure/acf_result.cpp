@@ -1,5 +1,6 @@
 #include "tools/measure/acf_result.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -122,6 +123,13 @@ MeasuredHeights quantiles_of(const Field& heights) {
   return MeasuredHeights::of(std::move(sample));
 }
 
+Eigen::ArrayXd profiles_of(const Field& half_plane) {
+  const LagField lags(half_plane);
+  Eigen::ArrayXd out(lags.max_p() + lags.max_q() + 2);
+  out << lags.along_x(), lags.along_y();
+  return out;
+}
+
 Table acf_profiles(const AcfResult& result, const AcfContent& content) {
   const std::string unit = content.unit();
   Table table{{{"direction", ""},
@@ -159,31 +167,58 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
 
 // ---- several surfaces ----
 
+void PooledAcf::add(const AcfResult& result) {
+  const Field own = result.sums->acf(result.estimate).half_plane();
+  if (n_ == 0) mean_ = squares_ = products_ = Field::Zero(own.rows(), own.cols());
+  const Field apart = own - mean_;
+  const double of_variance = apart(0, apart.cols() / 2), share = n_ / (n_ + 1);
+  mean_ += apart / ++n_;
+  squares_ += share * apart.square(), products_ += share * of_variance * apart;
+}
+
+Field PooledAcf::values(bool absolute) const { return absolute ? mean_ : Field(mean_ / variance()); }
+
+Field PooledAcf::errors(bool absolute) const {
+  const double of_mean = n_ * (n_ - 1);
+  if (absolute) return (squares_ / of_mean).sqrt();
+  const Field rho = values(false);
+  const double of_variance = squares_(0, squares_.cols() / 2);
+  return ((squares_ - 2 * rho * products_ + rho.square() * of_variance).max(0.0) / of_mean).sqrt() /
+         variance();
+}
+
 void AcfEnsemble::add(const AcfResult& result, const Parameters& lengths, bool function) {
-  const AcfEstimate& estimate = result.estimate;
-  grid_ = estimate.grid();
+  grid_ = result.estimate.grid();
   lengths_.add(lengths);
+  if (result.sums) pool_.add(*result.sums);
   if (!function) return;
-  acf_.add((content_.absolute ? estimate.variance : 1) * estimate.rho.half_plane());
+  acf_.add(result);
   if (result.structure) structure_.add(result.structure->half_plane());
   structured_ = result.structure.has_value();
-  scalars_.add(Eigen::Array3d{estimate.variance, result.moments.ssk, result.moments.sku});
+}
+
+std::vector<EnsembleParameter> AcfEnsemble::lengths() const {
+  std::vector<EnsembleParameter> out = lengths_.all();
+  take_pooled(out, pool_.all(of_acf_), pool_.maps());
+  return out;
 }
 
 Dataset AcfEnsemble::dataset() const {
   Dataset out;
   set_grid(out, grid_);
   out.attributes.set("acf_variable", content_.variable);
-  out.attributes.set("acf_surfaces", lengths_.surfaces());
-  const Field acf = acf_.mean();
+  out.attributes.set("acf_surfaces", surfaces());
   Writer writer(out, grid_, content_);
-  writer.acf(acf, "mean autocorrelation of the surfaces");
-  writer.error(acf_.standard_error());
+  writer.acf(acf_.values(content_.absolute), "autocorrelation of the pooled surfaces");
+  writer.error(acf_.errors(content_.absolute), "standard error of the pooled autocorrelation");
   if (structured_) writer.structure(structure_.mean());
   writer.taper();
-  const Eigen::ArrayXd scalars = scalars_.mean();
-  writer.scalars(scalars(0), scalars(1), scalars(2));
-  writer.lengths(lengths_.all(), [](const EnsembleParameter& length) { return length.mean; });
+  const Parameters pooled = pool_.all({});
+  const auto value = [&](const char* name) {
+    return std::ranges::find(pooled, name, &Parameter::name)->value;
+  };
+  writer.scalars(std::pow(value("Sq"), 2), value("Ssk"), value("Sku"));
+  writer.lengths(lengths(), [](const EnsembleParameter& length) { return length.mean; });
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "marginal/measured.hpp"
 #include "stats/measure/acf_estimate.hpp"
 #include "stats/measure/ensemble_parameters.hpp"
+#include "stats/measure/pooled_maps.hpp"
 #include "stats/sample/moments.hpp"
 #include "tools/cli/ensemble_table.hpp"
 
@@ -27,6 +28,7 @@ struct AcfResult {
   /// Errors, of what prints them.
   std::optional<std::array<ProfileErrors, 2>> profiles = {};
   std::optional<LengthErrors> lengths = {};
+  std::optional<MapSums> sums = {};  ///< of one of several
 };
 
 /// Which of them, and how.
@@ -48,30 +50,54 @@ const char* taper_of(const Grid& grid);
 
 MeasuredHeights quantiles_of(const Field& heights);
 
+/// Those at the lags (p,0), then at (0,q).
+Eigen::ArrayXd profiles_of(const Field& half_plane);
 /// R(p,0) and R(0,q), a row for each lag.
 Table acf_profiles(const AcfResult& result, const AcfContent& content);
 
 /// The variables and attributes of asperity-acf in place of former ones.
 void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, const AcfContent& content);
 
-/// The same over an ensemble: the mean of each, and acf_error, here that of the mean ACF.
+/// The pooled ACF of several surfaces, (2) of stats/measure/pooled_maps.hpp, at all their lags. With
+/// X_i = R_i + B_i b_i and ρ = Σ X_i/Σ X_i(0), its errors are to first order
+///     SE² = Σ (X_i - ρ X_i(0))²/(n (n-1) X̄(0)²),
+/// those of the mean of X_i where R is asked for.
+class PooledAcf {
+ public:
+  void add(const AcfResult& result);
+  /// R, or R / R(0,0).
+  Field values(bool absolute) const;
+  Field errors(bool absolute) const;
+
+ private:
+  double n_ = 0;
+  Field mean_ = {}, squares_ = {}, products_ = {};  ///< X̄, Σ (X - X̄)², Σ (X - X̄)(X(0) - X̄(0))
+  double variance() const { return mean_(0, mean_.cols() / 2); }
+};
+
+/// The same over an ensemble: pooled, and acf_error, here that of the pooled ACF.
 class AcfEnsemble {
  public:
-  explicit AcfEnsemble(AcfContent content) : content_(std::move(content)) {}
+  /// `of_acf`: the lengths of a correlation.
+  AcfEnsemble(AcfContent content, PooledOptions of_acf)
+      : content_(std::move(content)), of_acf_(std::move(of_acf)) {}
   /// `function`: the ACF itself too, for a dataset.
   void add(const AcfResult& result, const Parameters& lengths, bool function);
 
   const Grid& grid() const { return grid_; }
-  const EnsembleParameters& lengths() const { return lengths_; }
+  int surfaces() const { return lengths_.surfaces(); }
+  std::vector<EnsembleParameter> lengths() const;
   /// A dataset without heights, on the grid of the surfaces.
   Dataset dataset() const;
 
  private:
   AcfContent content_;
+  PooledOptions of_acf_;
   Grid grid_ = {};  ///< of the last surface
   EnsembleParameters lengths_ = {};
-  EnsembleField acf_ = {}, structure_ = {};
-  Ensemble scalars_ = {};  ///< variance, Ssk, Sku
+  PooledMaps pool_ = {};
+  PooledAcf acf_ = {};
+  EnsembleField structure_ = {};
   bool structured_ = false;
 };
 

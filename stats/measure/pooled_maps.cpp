@@ -1,0 +1,194 @@
+#include "stats/measure/pooled_maps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include "core/words.hpp"
+#include "stats/hybrid/summits.hpp"
+#include "stats/spatial/acf_length.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr int heights_of_map = 500, most_groups = 40;
+
+// Means of derivatives, by the names that begin so.
+bool is_mean_of_derivatives(const std::string& name) {
+  return name.starts_with("m2_") || name.starts_with("m4_") || name == "summit_curvature" ||
+         name == "peak_curvature";
+}
+
+void add_row(Parameters& out, const std::string& name, double value) {
+  out.push_back({name, value, "", unknown, ""});
+}
+
+}  // namespace
+
+// ---- of one map ----
+
+MapSums::MapSums(const Moments& m, double taken, const Parameters& rows) {
+  const double square = m.sq * m.sq;
+  sums_ << m.sa, square, m.ssk * square * m.sq, m.sku * square * square, square * taken / (1 - taken);
+  for (const Parameter& row : rows) {
+    if (is_mean_of_derivatives(row.name)) rows_[row.name] = row.value;
+    if (row.name == "Sdq") rows_[row.name] = row.value * row.value;
+  }
+}
+
+// The means of classes of equal shares keep the areas under the curve.
+void MapSums::set_heights(const MaterialRatioCurve& curve, double mean) {
+  constexpr int parts = 8;
+  for (int k = 0; k < heights_of_map; ++k) {
+    double sum = 0;
+    for (int i = 0; i < parts; ++i) sum += curve.quantile((k + (i + 0.5) / parts) / heights_of_map);
+    heights_.push_back(sum / parts - mean);
+  }
+}
+
+LagField MapSums::acf(const AcfEstimate& estimate) const {
+  const double took = sums_(4);
+  return LagField::of(estimate.rho.max_lag(), [&](Index p, Index q) {
+    const double share = estimate.biased ? estimate.basis.pairs.pair_fraction(p, q) : 1;
+    return estimate.variance * estimate.rho(p, q) + took * share * estimate.basis.form(p, q);
+  });
+}
+
+void MapSums::set_acf(const AcfEstimate& estimate, double level) {
+  constexpr Index times = 2, least = 32;
+  const auto [p, q] = lags_about(estimate.rho, estimate.grid(), level);
+  acf_ = acf(estimate).within({times * p + least, times * q + least});
+}
+
+void MapSums::operator+=(const MapSums& more) {
+  maps_ += more.maps_;
+  sums_ += more.sums_;
+  for (auto& [name, sum] : rows_) {
+    const auto found = more.rows_.find(name);
+    sum += found == more.rows_.end() ? unknown : found->second;
+  }
+  heights_.insert(heights_.end(), more.heights_.begin(), more.heights_.end());
+  if (!acf_ || !more.acf_) return acf_.reset();
+  const Shape both{std::min(acf_->max_p(), more.acf_->max_p()), std::min(acf_->max_q(), more.acf_->max_q())};
+  acf_ = LagField(acf_->within(both).half_plane() + more.acf_->within(both).half_plane());
+}
+
+double taken_from(const Surface& surface, const AcfEstimate& estimate, const Moments& moments, int threads) {
+  const bool known = !estimate.basis.estimated && estimate.size.sum(1) > 0;
+  const double by_correlation = estimate.size.taken_by_form();
+  if (known) return by_correlation;
+  const double taken =
+      HeightErrors(surface.heights, surface.grid, estimate.basis.extent(), moments, surface.degree, threads)
+          .taken();
+  return std::isnan(taken) ? by_correlation : taken;
+}
+
+MapSums map_sums(const Sample& sample, const Parameters& rows, const MeasureOptions& asked) {
+  const double taken = sample.taken_by_form();
+  MapSums out(sample.moments(), std::isnan(taken) ? sample.size().taken_by_form() : taken, rows);
+  if (asked.groups.contains(Group::material) || asked.groups.contains(Group::quantiles))
+    out.set_heights(sample.material_ratio(), sample.moments().mean);
+  if (asked.groups.contains(Group::spatial)) out.set_acf(AcfEstimate::of(sample), asked.sal_level);
+  return out;
+}
+
+// ---- of several ----
+
+namespace {
+
+void add_core(Parameters& out, const MaterialRatioCurve& curve, const PooledOptions& options) {
+  const auto [p, q] = options.material_ratios;
+  const CoreParameters core = curve.core();
+  const VolumeParameters volumes = curve.volumes(p, q);
+  add_row(out, "Sk", core.sk), add_row(out, "Spk", core.spk), add_row(out, "Svk", core.svk);
+  add_row(out, "Smr1", core.smr1), add_row(out, "Smr2", core.smr2);
+  add_row(out, "Smc_p", curve.height(p)), add_row(out, "Smc_q", curve.height(q));
+  add_row(out, "Vmp", volumes.vmp), add_row(out, "Vmc", volumes.vmc);
+  add_row(out, "Vvc", volumes.vvc), add_row(out, "Vvv", volumes.vvv);
+  for (const double share : options.quantiles)
+    add_row(out, "quantile_" + shortest(share), curve.quantile(share));
+}
+
+// Functions of the means of derivatives.
+void add_derivatives(Parameters& out, double m0, const std::function<double(const std::string&)>& mean) {
+  add_row(out, "m0", m0);
+  add_row(out, "Sdq", std::sqrt(mean("Sdq")));
+  for (const std::string along : {"x", "y", "direction"})
+    add_row(out, "alpha_" + along,
+            ProfileSpectralMoments{m0, mean("m2_" + along), mean("m4_" + along)}.bandwidth());
+  for (const std::string of : {"summit", "peak"}) add_row(out, of + "_radius", 1 / mean(of + "_curvature"));
+  const Summits expected =
+      expected_summits({m0, std::sqrt(mean("m2_x") * mean("m2_y")), std::sqrt(mean("m4_x") * mean("m4_y"))});
+  add_row(out, "nayak_density", expected.density), add_row(out, "nayak_height", expected.mean_height);
+  add_row(out, "nayak_deviation", expected.height_deviation);
+  add_row(out, "nayak_curvature", expected.mean_curvature), add_row(out, "nayak_radius", expected.radius());
+}
+
+// From the values of all, NaN where one lacks it; directions are those of axes.
+Eigen::ArrayXd deviations(const Parameters& values, const Parameters& all) {
+  return Eigen::ArrayXd::NullaryExpr(std::ssize(all), [&](Index i) {
+    const Parameter& of = all[static_cast<std::size_t>(i)];
+    const auto found = std::ranges::find(values, of.name, &Parameter::name);
+    if (found == values.end()) return unknown;
+    const double apart = found->value - of.value;
+    return of.unit == "rad" ? std::remainder(apart, std::numbers::pi) : apart;
+  });
+}
+
+}  // namespace
+
+void PooledMaps::add(MapSums map) {
+  if (maps_ < most_groups)
+    groups_.push_back(std::move(map));
+  else
+    groups_[static_cast<std::size_t>(maps_ % most_groups)] += map;
+  ++maps_;
+}
+
+Parameters PooledMaps::evaluated(const MapSums& of, const PooledOptions& options) {
+  const Eigen::Array<double, 5, 1> mean = of.sums_ / of.maps_;
+  const double square = mean(1), whole = square + mean(4), larger = std::sqrt(whole / square);
+  Parameters out;
+  add_row(out, "Sa", mean(0) * larger), add_row(out, "Sq", std::sqrt(whole));
+  add_row(out, "Ssk", mean(2) / (square * std::sqrt(square))),
+      add_row(out, "Sku", mean(3) / (square * square));
+  if (!of.heights_.empty()) {
+    const Field heights = larger * Eigen::Map<const Field>(of.heights_.data(), std::ssize(of.heights_), 1);
+    add_core(out, MaterialRatioCurve(heights), options);
+  }
+  add_derivatives(out, whole, [&](const std::string& name) {
+    const auto found = of.rows_.find(name);
+    return found == of.rows_.end() ? unknown : found->second / of.maps_;
+  });
+  if (of.acf_ && options.of_acf)
+    std::ranges::copy(options.of_acf(of.acf_->normalised()), std::back_inserter(out));
+  return out;
+}
+
+Parameters PooledMaps::all(const PooledOptions& options) const {
+  if (groups_.empty()) return {};
+  const auto all_but = [&](std::size_t left_out) {
+    std::optional<MapSums> sum;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (g == left_out) continue;
+      if (sum)
+        *sum += groups_[g];
+      else
+        sum = groups_[g];
+    }
+    return evaluated(*sum, options);
+  };
+  Parameters out = all_but(groups_.size());
+  if (groups_.size() < 2) return out;
+  Ensemble apart;
+  for (std::size_t g = 0; g < groups_.size(); ++g) apart.add(deviations(all_but(g), out));
+  const double n = static_cast<double>(groups_.size());
+  const Eigen::ArrayXd errors =
+      (apart.count() == n).select(apart.spread() * ((n - 1) / std::sqrt(n)), unknown);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i].standard_error = errors(static_cast<Index>(i));
+  return out;
+}
+
+}  // namespace asperity

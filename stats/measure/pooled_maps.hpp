@@ -1,0 +1,99 @@
+/// Parameters of several maps of one surface, pooled: what the maps have in common is evaluated once.
+///
+/// The mean of single estimates keeps the bias of each, which does not fall with the number of maps: a map
+/// lacks the waves that its mean or form took, and lengths and shares are curved functions of noisy figures.
+/// Pooled are therefore, over n maps i of variance m_i about their own means or forms,
+///     F = 1/n Σ F_i,     m = 1/n Σ m_i,     B = 1/n Σ B_i,     w = B/(m + B),                          (1)
+///     ρ = 1/n Σ (R_i + B_i b_i)/(m + B),                                                               (2)
+/// F_i the distribution of heights z - z̄_i, R_i the autocorrelation, B_i = m_i w_i/(1 - w_i) the variance
+/// that mean or form took (stats/height/height_error.hpp; stats/uncertainty/effective_size.hpp of a known
+/// correlation), b_i the correlation of its modes (stats/uncertainty/form_modes.hpp). Heights of F are larger
+/// by 1/√(1 - w); Ssk, Sku and shares of area are those of F; lengths are those of ρ; Sdq² and the spectral
+/// moments are means, and what is a function of them - bandwidth, expected summits, radius - is that of the
+/// means. Errors are those of the jackknife over the maps left out one by one,
+///     SE² = (n-1)/n Σ (T_(i) - T̄)²,                                                                    (3)
+/// with n - 1 degrees of freedom of Student's t. More than 40 maps are left out in 40 groups, with 39. Sal,
+/// the slowest decay and Str are extremes over the directions of a noisy contour and keep a bias of several
+/// errors: they have none, nor have their directions.
+///
+/// Symbols   R  autocovariance [m²]      T, T_(i)  a parameter, and that without map i
+/// Scope     maps of one spacing, of any size; each counts alike. Other parameters stay means of estimates.
+/// Accuracy  of 50 ensembles of 12 Gaussian maps each, estimated correlation: 48 × 48 points, Gaussian
+///           correlation of length 6 at 10 %, form of degree 2; 96 × 96, exponential of 18; 64 × 64,
+///           exponential of 20. Bias and coverage of 95 % intervals in per cent, first of means of estimates
+///           with ± 1.96 errors:
+///             Sq    -5.2, 20 → 1.5, 90    -1.9, 82 → 0.1, 98    -4.2, 62 → 1.7, 98
+///             Sku   -1.7, 86 → 0.0, 96    -1.0, 92 → 0.5, 96    -2.8, 70 → 0.7, 96
+///             Sk    -5.4, 36 → 1.8, 86    -1.7, 88 → 0.0, 100   -4.0, 68 → 1.5, 98
+///             Spk   -7.6, 62 → -0.5, 92   -3.0, 78 → -0.1, 100  -6.5, 72 → 2.3, 100
+///             Vvv   -6.1, 50 → 1.1, 98    -2.5, 76 → 0.0, 90    -6.2, 58 → 1.0, 94
+///             length_e_x  -8.1, 12 → 0.7, 94   -3.9, 84 → 0.6, 96
+///             Sal   -19, 0 → -3           -20, 4 → -6           -33, 0 → -3
+///             Str   -21, 0 → -8           -33, 0 → -13          -40, 0 → -22
+/// Memory    500 heights a map, and 40 tables of lags to twice those about the ACF's central lobe.
+///
+/// M. H. Quenouille, Biometrika 43 (1956) 353-360; J. W. Tukey, Ann. Math. Statist. 29 (1958) 614.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+#include "stats/measure.hpp"
+#include "stats/measure/acf_estimate.hpp"
+#include "stats/measure/parameter.hpp"
+#include "stats/measure/sample.hpp"
+
+namespace asperity {
+
+/// What maps add up to.
+class MapSums {
+ public:
+  /// Of one map. `rows`, its parameters, give the means of derivatives.
+  MapSums(const Moments& moments, double taken, const Parameters& rows = {});
+  void set_heights(const MaterialRatioCurve& curve, double mean);
+  /// R + B b at all lags of the estimate.
+  LagField acf(const AcfEstimate& estimate) const;
+  /// At lags about the lobe above this level.
+  void set_acf(const AcfEstimate& estimate, double level);
+  void operator+=(const MapSums& more);
+
+ private:
+  friend class PooledMaps;
+  double maps_ = 1;
+  Eigen::Array<double, 5, 1> sums_;     // of |z|, z², z³, z⁴, B
+  std::map<std::string, double> rows_;  // of derivatives, and Sdq²
+  std::vector<double> heights_ = {};    // about the mean
+  std::optional<LagField> acf_ = {};    // Σ R + B b
+};
+
+/// The share of the variance of the heights that their form, or mean, took.
+double taken_from(const Surface& surface, const AcfEstimate& estimate, const Moments& moments, int threads);
+
+/// Of one map and its parameters, for the groups asked for.
+MapSums map_sums(const Sample& sample, const Parameters& rows, const MeasureOptions& asked);
+
+struct PooledOptions {
+  std::vector<double> quantiles = {};
+  std::array<double, 2> material_ratios{0.1, 0.8};
+  /// Lengths of the pooled correlation.
+  std::function<Parameters(const LagField& rho)> of_acf = {};
+};
+
+class PooledMaps {
+ public:
+  void add(MapSums map);
+  int maps() const { return maps_; }
+  /// Values and errors (3) of all that is pooled.
+  Parameters all(const PooledOptions& options) const;
+
+ private:
+  static Parameters evaluated(const MapSums& of, const PooledOptions& options);
+
+  std::vector<MapSums> groups_ = {};
+  int maps_ = 0;
+};
+
+}  // namespace asperity
