@@ -182,9 +182,10 @@ Field PooledAcf::errors(bool absolute) const {
   const double of_mean = n_ * (n_ - 1);
   if (absolute) return (squares_ / of_mean).sqrt();
   const Field rho = values(false);
-  const double of_variance = squares_(0, squares_.cols() / 2);
-  return ((squares_ - 2 * rho * products_ + rho.square() * of_variance).max(0.0) / of_mean).sqrt() /
-         variance();
+  const Index zero = mean_.cols() / 2;
+  Field out = (squares_ - 2 * rho * products_ + rho.square() * squares_(0, zero)).max(0.0);
+  out(0, zero) = 0;  // without round-off
+  return (out / of_mean).sqrt() / variance();
 }
 
 void AcfEnsemble::add(const AcfResult& result, const Parameters& lengths, bool function) {
