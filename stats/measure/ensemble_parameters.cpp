@@ -116,11 +116,12 @@ void judge(ComparedParameter& c, const KnownTo& x, const KnownTo& y, double degr
 // It has no Student's t.
 bool is_p_value(const Parameter& p) { return p.unit == "1" && p.name.ends_with("_p"); }
 
-// Of one other, `y` is that.
-void judge(ComparedParameter& c, const Parameter& x, const Parameter* y, const EnsembleParameter& others) {
+// Of one other, `y` is that. `one_size`: of surfaces as large as the first.
+void judge(ComparedParameter& c, const Parameter& x, const Parameter* y, const EnsembleParameter& others,
+           bool one_size) {
   const KnownTo of_x = known_to(x), of_y = y ? known_to(*y) : known_to(others);
-  const bool alike = std::isnan(of_x.error) && !y && !x.is_bound && !is_p_value(x);
-  const KnownTo taken = alike ? KnownTo{others.spread, others.surfaces - 1} : of_x;
+  const bool alike = (one_size || std::isnan(of_x.error)) && !y && !x.is_bound && !is_p_value(x);
+  const KnownTo taken = alike ? KnownTo{of_y.error * std::sqrt(others.surfaces), of_y.degrees} : of_x;
   c.first_error = taken.error, c.others_error = of_y.error;
   judge(c, taken, of_y, alike ? taken.degrees : common_degrees(of_x, of_y));
 }
@@ -135,6 +136,9 @@ std::vector<ComparedParameter> compared(const Parameters& first, const EnsembleP
     return found == all.end() ? nullptr : &*found;
   };
   const std::vector<EnsembleParameter> means = others.all();
+  const Parameter* points = among(first, "N");
+  const EnsembleParameter* of_others = among(means, "N");
+  const bool one_size = !points || !of_others || std::abs(points->value / of_others->mean - 1) < 0.1;
   for (const EnsembleParameter& y : means) {
     const Parameter *x = among(first, y.name),
                     *alone = others.surfaces() == 1 ? among(other, y.name) : nullptr;
@@ -143,7 +147,7 @@ std::vector<ComparedParameter> compared(const Parameters& first, const EnsembleP
                         .first = x ? x->value : unknown,
                         .others = y.mean,
                         .number = y.surfaces};
-    if (x) judge(c, *x, alone, y);
+    if (x) judge(c, *x, alone, y, one_size);
     out.push_back(c);
   }
   for (const Parameter& x : first)

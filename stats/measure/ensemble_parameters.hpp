@@ -13,9 +13,9 @@
 /// t that gives their 95 % intervals. Of several others e_y is the larger of spread and expected spread over
 /// √n, with the n ν degrees of all their errors while the two agree within twice the relative error of the
 /// spread, and n - 1 otherwise, or where theory gives no errors. z is judged by Student's t of Welch's
-/// 1/ν = (e_x⁴/ν_x + e_y⁴/ν_y)/(e_x² + e_y²)². Where theory gives no e_x, it is the spread of the others, x
-/// being one more of them, and ν = n - 1; of a single other, and of p-values, there is no z then. Of K
-/// parameters with a z those with p ≤ 0.01/K differ (Bonferroni). y is a mean of estimates, and not pooled,
+/// 1/ν = (e_x⁴/ν_x + e_y⁴/ν_y)/(e_x² + e_y²)². Of several others as large as the first, or where theory gives
+/// no e_x, it is e_y √n, x being one more of them, and ν that of e_y: a scratch does not excuse itself by the
+/// errors that it makes. Of a single other, and of p-values, there is no z without e_x. Of K parameters with a z those with p ≤ 0.01/K differ (Bonferroni). y is a mean of estimates, and not pooled,
 /// so that x and y have the same bias.
 ///
 /// Scope     Independent surfaces. Of a surface before and after a filter most of the errors are common: what

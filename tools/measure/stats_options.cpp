@@ -32,7 +32,7 @@ void comparison_option(Tool& tool, bool& compare) {
             "Compare the first INPUT with the others. A row for each parameter: value and standard error of "
             "both, their difference z in these errors, its p-value, and \"differs\" where p is at most 0.01, "
             "shared among the rows. Of several others the mean counts, with its error by their spread, which "
-            "is also the first one's error where theory gives none. Without an error the verdict is "
+            "is also the error of a first one as large as they. Without an error the verdict is "
             "\"unknown\". Surfaces that depend on each other, as before and after a filter, have most of the "
             "errors in common: what differs does so all the more, and \"agrees\" tells little",
             "Parameters");
