@@ -79,9 +79,8 @@ Specification carried(const Dataset& data, const Grid& grid) {
 }
 
 // As many as there is memory for, where each draws surfaces on a torus of up to twice the field's sides.
-int threads_for(const cli::Tool& tool, const Specification& asked, const Grid& grid) {
+int threads_for(const cli::Tool& tool, const Grid& grid) {
   constexpr double bytes_a_point = 110;
-  if (asked.gaussian()) return tool.thread_count();
   const double most =
       static_cast<double>(tool.memory()) / (bytes_a_point * static_cast<double>(grid.shape.cells()));
   return static_cast<int>(std::clamp(most, 1.0, static_cast<double>(tool.thread_count())));
@@ -98,7 +97,7 @@ SpecificationTest test_for(const cli::Tool& tool, const Options& o, const Datase
   };
   asked.ssk = expected(o.skewness, "generate_skewness_expected", 0);
   asked.sku = expected(o.kurtosis, "generate_kurtosis_expected", gamma_kurtosis(asked.ssk));
-  asked.threads = threads_for(tool, asked, grid);
+  asked.threads = threads_for(tool, grid);
   asked.simulated = [&](Index done, Index of) {
     progress.count(static_cast<double>(done), static_cast<double>(of), "simulated surfaces");
   };
@@ -130,16 +129,12 @@ cli::Table table_of_results(const std::vector<TestResult>& results, double signi
                   {"verdict", ""}},
                  {}};
   const double level = significance / static_cast<double>(results.size());
-  constexpr std::size_t p = 6;  // the column
-  const auto most = std::ranges::min_element(results, {}, &TestResult::p);
   for (const TestResult& c : results) {
-    if (c.p_is_bound) out.bounds.insert({out.rows.size(), p});
     const std::string lag = "(" + std::to_string(c.lag_x) + "," + std::to_string(c.lag_y) + ")";
     out.rows.push_back({c.quantity == "ACF" ? "ACF" + lag : c.quantity, unit_of(c.quantity), c.prescribed,
                         c.mean, c.standard_error, c.z, c.p, verdict(c.p, level)});
   }
   const double joint = joint_p(results);
-  if (most->p_is_bound && joint < 1) out.bounds.insert({out.rows.size(), p});
   out.rows.push_back({"all", "1", NAN, NAN, NAN, NAN, joint, verdict(joint, significance)});
   return out;
 }
@@ -157,9 +152,8 @@ int validate(const cli::Tool& tool, Options& options) {
       },
       {.on_one_grid = "the test"});
   const std::vector<TestResult> results = test->results();
-  const std::string simulated =
-      test->drawn() > 0 ? ", errors from " + counted(test->drawn(), "simulated surface") : "";
-  tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag") + simulated);
+  tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag") + ", errors from " +
+            counted(test->drawn(), "simulated surface"));
   cli::print(tool, table_of_results(results, options.significance));
   return joint_p(results) <= options.significance ? not_as_prescribed : int{cli::done};
 }

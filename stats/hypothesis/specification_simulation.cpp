@@ -12,7 +12,9 @@ namespace {
 
 using Eigen::ArrayXd, Eigen::ArrayXXd;
 
-constexpr Index least_simulated = 200, simulated_a_surface = 4;
+constexpr Index simulated_a_surface = 4, fewest = 100, enough = 200;
+constexpr double enough_points = 5e7;          // beyond `fewest` surfaces
+constexpr double most_error_of_share = 0.5;  // of summits; a few tell nothing
 
 ArrayXXd rows_of(const std::vector<ArrayXd>& surfaces) {
   ArrayXXd out(surfaces.size(), surfaces.front().size());
@@ -92,28 +94,25 @@ void SpecificationTest::count_missing(const Field& z) {
     ++same->surfaces;
 }
 
-Eigen::ArrayXd SpecificationTest::shaped(Eigen::ArrayXd measured) const {
-  measured.tail(measured.size() - at_shapes) /= measured(at_variance);
-  return measured;
-}
-
 const Eigen::ArrayXXd& SpecificationTest::simulated() const {
   Simulation& s = *simulation_;
   if (s.missing == missing_) return s.values;
-  const Index each = std::max(simulated_a_surface, (least_simulated + surfaces_ - 1) / surfaces_),
-              all = each * surfaces_;
+  const auto least = static_cast<Index>(
+      std::clamp(enough_points / static_cast<double>(grid_.shape.cells()), double(fewest), double(enough)));
+  const Index each = std::max(simulated_a_surface, (least + surfaces() - 1) / surfaces()),
+              all = each * surfaces();
   s.values.resize(all, observed_.front().size());
   Index done = 0;
   for (const Missing& of : missing_) {
     const Field missing = of.field(grid_.shape);
     const Pairs pairs = Pairs::of(missing, grid_, asked_.threads);
-    const Theory theory = pairs.complete() ? complete_ : theory_of(pairs);
+    const std::vector<LagField> stretches = stretch_->weights(pairs);
     for (const Index end = done + each * of.surfaces; done < end;) {
       const Index count = std::min<Index>(std::max(1, asked_.threads), end - done);
       parallel_ranges(count, asked_.threads, [&](Index from, Index to, int) {
         for (Index k = done + from; k < done + to; ++k) {
           const Field z = s.fields.heights(k) + missing;
-          s.values.row(k) = shaped(measured(z, pairs, theory, slopes_of(z, 1), 1)).transpose();
+          s.values.row(k) = measured(z, pairs, stretches, 1).transpose();
         }
       });
       done += count;
@@ -124,26 +123,30 @@ const Eigen::ArrayXXd& SpecificationTest::simulated() const {
   return s.values;
 }
 
-std::vector<TestResult> SpecificationTest::slopes_by_simulation(const ArrayXXd& drawn,
-                                                                const ArrayXXd& observed) const {
+std::vector<TestResult> SpecificationTest::slopes(const ArrayXXd& drawn, const ArrayXXd& observed) const {
   auto known = [&](Index column) {
     return drawn.col(column).isFinite().all() && observed.col(column).isFinite().all() &&
            sample_deviation(drawn.col(column)) > 0;
   };
   std::vector<TestResult> out;
   if (std::isfinite(asked_.sq) && known(at_sdq))
-    out.push_back(row_of_square("Sdq", asked_.sq * std::sqrt(slopes_.square), slopes_.square,
-                                drawn.col(at_sdq), observed.col(at_sdq) / (asked_.sq * asked_.sq)));
-  if (known(at_summits)) {
-    const double area = grid_.cell_area();
-    out.push_back(row("summit_density", slopes_.summits.value / area, drawn.col(at_summits) / area,
-                      observed.col(at_summits) / area));
-    out.back().p = p_of_mean(drawn.col(at_summits), observed.col(at_summits));
+    out.push_back(row_of_square("Sdq", asked_.sq * std::sqrt(square_), square_, drawn.col(at_sdq),
+                                observed.col(at_sdq) / (asked_.sq * asked_.sq)));
+  if (summits_ && known(at_summits)) {
+    const double half = 0.375 / static_cast<double>(grid_.shape.cells()),
+                 area = grid_.cell_area();  // Anscombe's
+    const ArrayXd expected = drawn.col(at_summits), shares = observed.col(at_summits);
+    const TestResult summits = row("summit_density", expected.mean() / area, expected / area, shares / area);
+    if (summits.standard_error < most_error_of_share * summits.prescribed) {
+      out.push_back(summits);
+      out.back().p = p_of_skewed_mean(expected + half, shares + half);
+    }
   }
   return out;
 }
 
-std::vector<TestResult> SpecificationTest::by_simulation() const {
+std::vector<TestResult> SpecificationTest::results() const {
+  if (observed_.empty()) throw DataError("heights", "the ensemble has no surface");
   const ArrayXXd &drawn = simulated(), observed = rows_of(observed_);
   std::vector<TestResult> out;
   if (std::isfinite(asked_.sq))
@@ -153,13 +156,13 @@ std::vector<TestResult> SpecificationTest::by_simulation() const {
   out.back().p = p_of_mean(ssk_over_root_of_sku(drawn), ssk_over_root_of_sku(observed));
   out.push_back(row("Sku", asked_.sku, drawn.col(at_sku), observed.col(at_sku)));
   out.back().p = p_of_skewed_mean(drawn.col(at_sku), observed.col(at_sku));
-  for (const TestResult& of_slopes : slopes_by_simulation(drawn, observed)) out.push_back(of_slopes);
+  for (const TestResult& of_slopes : slopes(drawn, observed)) out.push_back(of_slopes);
   const Index stretches = drawn.cols() - at_shapes - lags();
   if (!lags_.empty())
     out.push_back(
-        largest(acf_.each, drawn.middleCols(at_shapes, lags()), observed.middleCols(at_shapes, lags())));
+        largest(lags_, drawn.middleCols(at_shapes, lags()), observed.middleCols(at_shapes, lags())));
   if (stretches > 0)
-    out.push_back(largest(lengths_.each, drawn.rightCols(stretches), observed.rightCols(stretches)));
+    out.push_back(largest(lengths_, drawn.rightCols(stretches), observed.rightCols(stretches)));
   return out;
 }
 

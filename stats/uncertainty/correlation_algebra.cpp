@@ -2,26 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "stats/uncertainty/lag_spectrum.hpp"
 #include "transform/lag_sums.hpp"
 
 namespace asperity {
-namespace {
-
-// A torus on which so many lags of these add up to no other.
-Shape torus_for(const LagField& rho, Index lags, Index more) {
-  return {fast_length(lags * rho.max_p() + more), fast_length(lags * rho.max_q() + more)};
-}
-
-// t on the whole torus.
-Field cube_of(const LagField& rho, Shape torus) {
-  const LagSpectrum spectrum(torus);
-  return spectrum.function(spectrum.of(rho).cube());
-}
-
-}  // namespace
 
 CorrelationAlgebra::CorrelationAlgebra(const LagField& correlation, const Pairs& pairs)
     : rho_(correlation.normalised()), pairs_(pairs) {}
@@ -51,34 +36,6 @@ LagField CorrelationAlgebra::convolution(Shape max_lag, bool periodic) const {
                                          [&](Index i, Index j) { return rho(i - reach.nx, j - reach.ny); });
   return LagField(lag_sums(plane, {shape_of(plane), 1, 1, false},
                            {std::min(max_lag.nx, 2 * reach.nx), std::min(max_lag.ny, 2 * reach.ny)}));
-}
-
-Eigen::ArrayXd CorrelationAlgebra::third_cumulants(const std::vector<CorrelatedLag>& lags) const {
-  const LagField rho = tapered(rho_, pairs_);
-  const Field cube = cube_of(rho, pairs_.grid().periodic.both() ? pairs_.grid().shape : torus_for(rho, 6, 2));
-  return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(lags.size()), [&](Index i) {
-    const auto& [lag, r] = lags[static_cast<std::size_t>(i)];
-    auto t = [&](Index k) {
-      return cube(wrapped(k * lag.nx, cube.rows()), wrapped(k * lag.ny, cube.cols()));
-    };
-    return (3 * t(1) + t(3)) / 4 - 1.5 * r * (t(0) + t(2)) + 3 * r * r * t(1) - r * r * r * t(0);
-  });
-}
-
-double CorrelationAlgebra::mean_of_triples() const {
-  const LagField inside = rho_.within(longest_lags(pairs_.grid()));
-  if (pairs_.grid().periodic.both()) return cube_of(inside, pairs_.grid().shape)(0, 0);
-  const auto [nx, ny] = pairs_.grid().shape;
-  auto part = [](Index lag, Index n) { return static_cast<double>(std::abs(lag)) / static_cast<double>(n); };
-  const LagSpectrum spectrum(torus_for(inside, 3, 1));
-  auto weighted = [&](auto weight) {
-    return spectrum.of(LagField::of(
-        inside.max_lag(), [&](Index p, Index q) { return inside(p, q) * weight(part(p, nx), part(q, ny)); }));
-  };
-  const Eigen::ArrayXd r = spectrum.of(inside), rx = weighted([](double x, double) { return x; }),
-                       ry = weighted([](double, double y) { return y; }),
-                       rxy = weighted([](double x, double y) { return x * y; });
-  return spectrum.mean(r * r * (r - 1.5 * (rx + ry) + 0.75 * rxy) + 1.5 * rx * ry * r);
 }
 
 double bartlett_covariance(const LagField& c, const CorrelatedLag& h, const CorrelatedLag& g) {

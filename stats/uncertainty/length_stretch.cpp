@@ -106,9 +106,8 @@ void LengthStretch::take(const std::vector<Axis>& axes, const Pairs& pairs) {
     weights_.push_back(sum_of(weights, parted.row(i)));
     names_.push_back(at(i).name);
   }
-  const Eigen::VectorXd variances = law(pairs, 0).covariance.diagonal();
   Index worst = 0;
-  if (variances.maxCoeff(&worst) <= most_error * most_error) {
+  if (variances(pairs).maxCoeff(&worst) <= most_error * most_error) {
     if (n == 1) return;
     for (const Eigen::Vector2d& factors : {Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d(1, -1)})
       weights_.push_back(sum_of({weights_[0], weights_[1]}, factors));
@@ -119,46 +118,36 @@ void LengthStretch::take(const std::vector<Axis>& axes, const Pairs& pairs) {
   if (n == 2) take({at(1 - worst)}, pairs);
 }
 
-LengthStretch::Law LengthStretch::law(const Pairs& pairs, double taken) const {
-  const auto n = static_cast<Index>(weights_.size());
-  Law out{{}, Eigen::MatrixXd::Zero(n, n), Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Zero(n)};
-  if (n == 0) return out;
-  const LagField about_mean((rho_.half_plane() - taken) / (1 - taken)), rho = tapered(rho_, pairs);
-  const Shape lags = weights_[0].max_lag();
-  const LagSpectrum spectrum = spectra(rho, lags, pairs.grid());
-  const Eigen::ArrayXd f = spectrum.of(rho);
-  std::vector<Eigen::ArrayXd> products;
+std::vector<LagField> LengthStretch::weights(const Pairs& pairs) const {
+  std::vector<LagField> out;
   for (const LagField& all : weights_) {
+    const Shape lags = all.max_lag();
     Field w = LagField::of(lags, [&](Index p, Index q) {
                 const bool counts = (p != 0 || q != 0) && pairs.density(p, q) > least_density;
                 return counts ? all(p, q) : 0;
               }).half_plane();
-    w(0, lags.ny) = -plane_sum(LagField(w), about_mean);
-    out.weights.emplace_back(w);
-    products.push_back(f * spectrum.of(LagField::of(lags, [&](Index p, Index q) {
-      const double weight = w(p, lags.ny + q);
-      return weight == 0 ? 0 : weight / std::sqrt(pairs.pair_fraction(p, q));
-    })));
-  }
-  for (Index i = 0; i < n; ++i) {
-    const Eigen::ArrayXd& a = products[static_cast<std::size_t>(i)];
-    for (Index j = 0; j < n; ++j)
-      out.covariance(i, j) = 2 / pairs.points() * spectrum.mean(a * products[static_cast<std::size_t>(j)]);
-    out.with_variance(i) = 2 / pairs.points() * spectrum.mean(a * f);
-    out.third(i) = 8 / (pairs.points() * pairs.points()) * spectrum.mean(a.cube());
+    w(0, lags.ny) = -plane_sum(LagField(w), rho_);
+    out.emplace_back(w);
   }
   return out;
 }
 
-Eigen::ArrayXd LengthStretch::Law::operator()(const LagField& estimate) const {
-  return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(weights.size()), [&](Index i) {
-    return plane_sum(weights[static_cast<std::size_t>(i)], estimate);
+Eigen::ArrayXd LengthStretch::variances(const Pairs& pairs) const {
+  const LagField rho = tapered(rho_, pairs);
+  const std::vector<LagField> all = weights(pairs);
+  const LagSpectrum spectrum = spectra(rho, all[0].max_lag(), pairs.grid());
+  const Eigen::ArrayXd f = spectrum.of(rho);
+  return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(all.size()), [&](Index i) {
+    const LagField& w = all[static_cast<std::size_t>(i)];
+    const LagField per_pair = LagField::of(w.max_lag(), [&](Index p, Index q) {
+      return w(p, q) == 0 ? 0 : w(p, q) / std::sqrt(pairs.pair_fraction(p, q));
+    });
+    return 2 / pairs.points() * spectrum.mean((f * spectrum.of(per_pair)).square());
   });
 }
 
-Eigen::ArrayXd LengthStretch::Law::skewness() const {
-  const Eigen::ArrayXd variance = covariance.diagonal();
-  return (third - 6 * variance * with_variance) / variance.pow(1.5);
+double LengthStretch::estimate(const LagField& weights, const LagField& estimate) {
+  return plane_sum(weights, estimate);
 }
 
 }  // namespace asperity

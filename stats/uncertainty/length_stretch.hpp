@@ -10,13 +10,11 @@
 /// and the same for y. The floor costs the score of short waves, which tell of the cusp of ρ and not of its
 /// length. The weights w are those of (2) up to the lags asked for, combined by the 2 × 2 matrix Σ w ρ_x so
 /// that each T/σ² estimates one of s_x, s_y, their mean and their difference. The weight of lag zero makes
-/// E T = 0 for ρ' = (ρ - b)/(1 - b), which heights about their own mean have if they are as prescribed, b the
-/// share that the mean takes (stats/uncertainty/effective_size.hpp).
+/// Σ w ρ = 0.
 ///
-/// T is a quadratic form of the heights. Over N points, with means over all waves,
-///     Var T = 2σ⁴/N mean (WF)²,     κ_3 = 8σ⁶/N² mean (WF)³,     Cov(T, Sq²) = 2σ⁴/N mean W F².        (3)
-/// In (3) the spectra are those of w/√v and ρ√v, v the share of points that have a partner at the lag. T/Sq²
-/// has, to second order, the mean -Cov/σ⁴ and the third cumulant κ_3/σ⁶ - 6 Var Cov/σ⁸.
+/// T is a quadratic form of the heights. Over N points, with the mean over all waves,
+///     Var T = 2σ⁴/N mean (WF)².                                                                      (3)
+/// In (3) the spectra are those of w/√v and ρ√v, v the share of points that have a partner at the lag.
 ///
 /// Symbols   ρ  correlation    R  estimate [m²]    σ  rms height [m]    p, q  lags [samples]
 /// Scope     Gaussian heights for (3). An axis along which ρ is constant or has no lags, or along which one
@@ -47,19 +45,12 @@ class LengthStretch {
   /// "length_x", "length_y", "length" for the mean, "length_x/length_y"; one axis only, or none.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Of a field with these pairs, per σ.
-  struct Law {
-    std::vector<LagField> weights;  ///< w
-    Eigen::MatrixXd covariance;     ///< of T
-    Eigen::ArrayXd with_variance;   ///< Cov(T, Sq²)
-    Eigen::ArrayXd third;           ///< κ_3
-    /// T, in the unit of R.
-    Eigen::ArrayXd operator()(const LagField& estimate) const;
-    /// κ_3 of T/Sq² over its standard deviation cubed.
-    Eigen::ArrayXd skewness() const;
-  };
-  /// `taken` is b.
-  Law law(const Pairs& pairs, double taken) const;
+  /// w of each, for fields with these pairs.
+  std::vector<LagField> weights(const Pairs& pairs) const;
+  /// T, in the unit of R.
+  static double estimate(const LagField& weights, const LagField& estimate);
+  /// (3), per σ⁴.
+  Eigen::ArrayXd variances(const Pairs& pairs) const;
 
  private:
   struct Axis {

@@ -13,7 +13,7 @@ namespace {
 
 // Along one axis: the field, and the lags beyond which ρ is negligible.
 Index torus_length(Index n, bool periodic, Index reach) {
-  return periodic ? n : fast_length(std::min(2 * n, n + reach));
+  return periodic ? n : fast_length(std::min(3 * n, n + reach));
 }
 Shape torus_of(const FieldModel& model) {
   const LagField& rho = model.correlation;
@@ -26,11 +26,23 @@ Shape torus_of(const FieldModel& model) {
   return {torus_length(shape.nx, periodic.x, reach.nx + 1), torus_length(shape.ny, periodic.y, reach.ny + 1)};
 }
 
+// ρ up to half the torus. Lags that the field does not have are free: beyond a table they have its last
+// values, as a step to zero would be noise of short waves.
+LagField continued(const LagField& rho, Shape half, const Grid& grid) {
+  auto known = [](Index lag, Index most, Index n, bool periodic) {
+    return periodic || most < n - 1 ? lag : std::clamp(lag, -most, most);
+  };
+  return LagField::of(half, [&](Index p, Index q) {
+    return rho(known(p, rho.max_p(), grid.shape.nx, grid.periodic.x),
+               known(q, rho.max_q(), grid.shape.ny, grid.periodic.y));
+  });
+}
+
 SpectralRoot root_on(Shape torus, const FieldModel& model) {
   const LagField rho = model.translation
                            ? underlying_correlation(model.correlation, CorrelationMap(*model.translation))
                            : model.correlation;
-  return spectral_root(rho.within({torus.nx / 2, torus.ny / 2}).half_plane(), torus);
+  return spectral_root(continued(rho, {torus.nx / 2, torus.ny / 2}, model.grid).half_plane(), torus);
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 /// White noise on a torus is filtered to the correlation and cropped, and its heights are translated
 /// (marginal/translation.hpp). The Gaussian field then has the correlation that gives the heights the
 /// prescribed one (marginal/correlation_map.hpp), the nearest where there is none, as asperity-generate
-/// draws them. The torus is longer than the field by the reach of the correlation, twice as long at most.
+/// draws them. The torus is longer than the field by the reach of the correlation, at most three times.
+/// Lags that the field does not have are free: beyond a table that reaches so far they keep its last values.
 /// Waves of negative power, which no field has, get none (acf/periodic.hpp).
 ///
 /// Cost      a transform of the torus a field, 8 ns a point for its noise.

@@ -1,5 +1,4 @@
-#include "stats/hypothesis/prescribed_slopes.hpp"
-
+#include <algorithm>
 #include <numbers>
 #include <string>
 
@@ -20,53 +19,29 @@ LagField gaussian_correlation(double length, Index lags = 32) {
 
 }  // namespace
 
-// A ninth of independent heights are summits (Greenwood 1984). Of exp(-r²/l²) Nayak's density is √3/(3π l²),
-// less 0.8/l² of it on the grid (stats/hybrid/summits.hpp), known to a tenth of that: 0.1 % at l = 8. Four
-// errors of the lattice.
-TEST_CASE("the share of summits is a ninth of independent heights, and Nayak's density of smooth surfaces",
-          "[prescription][slopes][exact]") {
-  const LagField white = LagField::of({2, 2}, [](Index p, Index q) { return p == 0 && q == 0 ? 1 : 0; });
-  const SummitShare ninth = summit_share(white), smooth = summit_share(gaussian_correlation(8));
-  CHECK(ninth.error <= 2e-3 / 9);
-  CHECK(std::abs(ninth.value - 1.0 / 9) <= 4 * ninth.error);
-  const double nayak = std::numbers::sqrt3 / (3 * std::numbers::pi * 64);
-  CHECK(std::abs(smooth.value - nayak * (1 - 0.8 / 64)) <= 4 * smooth.error + 0.001 * nayak);
-  const LagField grooves = LagField::of({2, 2}, [](Index p, Index) { return p == 0 ? 1.0 : 0.0; });
-  CHECK(summit_share(grooves).value == 0);
-}
-
-// 300 fields: a mean to four of its errors, a spread to four of its own, 1/√598; √φ to 1/√398 besides, and the
-// number of sides and neighbourhoods to 5 %. The correlation at one step is 1 - 1/window.
-TEST_CASE("mean and spread of Sdq and of the density of summits are those expected",
+// Per area, on a spacing of 1, a ninth of independent heights are summits (Greenwood 1984). Of exp(-r²/l²) Nayak's
+// density is √3/(3π l²), less 0.8/l² of it on the grid (stats/hybrid/summits.hpp), known to a tenth of that. The
+// standard error is that of one surface; four of those of the 200 that are drawn. Sdq² is 2 (2 - ρ(1,0) - ρ(0,1)).
+TEST_CASE("a ninth of independent heights are expected to be summits, and Nayak's density of smooth surfaces",
           "[prescription][slopes][statistics]") {
-  for (const Shape window : {Shape{3, 3}, Shape{7, 5}}) {
-    const Grid g{{72, 64}, 1, 1.5, false};
-    const LagField rho = triangular_correlation(window);
-    PrescribedSlopes expected(rho, g);
-    expected.set_summits(rho, g);
-    expected.draw_summits(rho, g, 1, 1);
-    Eigen::ArrayXd squares(300), shares(300);
-    GridSlopes one;
-    for (unsigned m = 0; m < 300; ++m) {
-      one = grid_slopes(moving_average(g.shape, window, m), g);
-      squares(m) = one.square, shares(m) = one.share;
-    }
-    CAPTURE(window.nx, expected.dispersion, one.points, one.cells);
-    CHECK(expected.square ==
-          Approx(2 / static_cast<double>(window.nx) + 2 / (2.25 * static_cast<double>(window.ny)))
-              .epsilon(1e-12));
-    auto as_expected = [](const Eigen::ArrayXd& values, double mean, double error, double spread,
-                          double margin) {
-      const double found = std::sqrt((values - values.mean()).square().sum() / 299);
-      CHECK(std::abs(values.mean() - mean) <= 4 * std::hypot(found / std::sqrt(300.0), error));
-      CHECK(std::abs(found / spread - 1) <= margin);
-    };
-    const double share = expected.summits.value;
-    as_expected(squares, expected.square, 0, std::sqrt(expected.variance / one.cells),
-                4 / std::sqrt(598.0) + 0.05);
-    as_expected(shares, share, expected.summits.error, std::sqrt(expected.dispersion * share / one.points),
-                4 * std::sqrt(1 / 598.0 + 1 / 398.0) + 0.05);
+  const LagField white = LagField::of({2, 2}, [](Index p, Index q) { return p == 0 && q == 0 ? 1 : 0; });
+  const double nayak = std::numbers::sqrt3 / (3 * std::numbers::pi * 64) * (1 - 0.8 / 64);
+  for (const auto& [rho, density] : {std::pair{white, 1.0 / 9}, {gaussian_correlation(8), nayak}}) {
+    const Grid g = grid(128, 128, true);
+    SpecificationTest test({.correlation = rho, .sq = 1}, g);
+    test.add(white_noise(g.shape, 1), g);
+    const auto rows = test.results();
+    const auto summits = std::ranges::find(rows, "summit_density", &TestResult::quantity);
+    REQUIRE(summits != rows.end());
+    CHECK(std::abs(summits->prescribed - density) <=
+          4 * summits->standard_error / std::sqrt(200) + 1e-3 * density);
+    CHECK((summits - 1)->prescribed == Approx(std::sqrt(4 * (1 - rho(1, 0)))).epsilon(1e-12));
   }
+  const LagField grooves = LagField::of({2, 2}, [](Index p, Index) { return p == 0 ? 1.0 : 0.0; });
+  SpecificationTest test({.correlation = grooves, .sq = 1}, grid(400, 4));
+  test.add(white_noise({400, 4}, 1), grid(400, 4));
+  const auto rows = test.results();
+  CHECK(std::ranges::find(rows, "summit_density", &TestResult::quantity) == rows.end());
 }
 
 // The fault of a biased estimate of the ACF, a triangle times ρ: 3e-3 of the variance is new at each step. That

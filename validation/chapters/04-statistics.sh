@@ -99,8 +99,8 @@ the fitted ellipse in 95 %.
 END
 table error_coverage@many-2
 text <<'END'
-False alarms of `asperity-validate`, in per cent, at a stated 1 and 5 %; errors from theory if heights are Gaussian, else from
-surfaces that are drawn as prescribed:
+False alarms of `asperity-validate`, in per cent, at a stated 1 and 5 %; errors come from surfaces
+that are drawn as prescribed:
 END
 table statistics_coverage-3
 # 1 + 4 √(1 · 99 / fields), 5 + 4 √(5 · 95 / fields) per cent.
@@ -117,7 +117,7 @@ table prescription_power-1
 claim "Of surfaces as prescribed at most 1 % differ, within four standard errors of the count." prescription_power-1 1 \
  '$c["none"] <= 1 + 4 * sqrt(99 / $c["tests"])'
 text <<'END'
-The same where heights of a skewness and a kurtosis are prescribed and errors come from surfaces that are drawn so. `less` and
+The same where heights of a skewness and a kurtosis are prescribed. `less` and
 `more` have a skewness that is 0.3 nearer to zero or farther from it, of the same kurtosis; `normal` are Gaussian:
 END
 table prescription_power-2
