@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace asperity {
@@ -66,6 +67,9 @@ class HeightInfluence {
   double density(double p) const {
     const double delta = std::max({std::min({0.05, p / 2, (1 - p) / 2}), 3 / of_shares_.points()}),
                  high = std::max(p - delta, 0.0), low = std::min(p + delta, 1.0);
+    const double here = curve_.height(p), beside = delta / 4;
+    if (curve_.height(std::max(p - beside, 0.0)) == here || curve_.height(std::min(p + beside, 1.0)) == here)
+      return std::numeric_limits<double>::quiet_NaN();  // a step
     return (low - high) / (curve_.height(high) - curve_.height(low));
   }
   // (1).
@@ -106,7 +110,7 @@ bool has_rivals(const HeightInfluence& of, const MaterialRatioCurve& curve, doub
     stretches += now && !within;
     within = now;
   }
-  return stretches > 1;
+  return stretches != 1;  // none by an error that is not known
 }
 
 void add_core(MaterialErrors& out, const HeightInfluence& of, const CoreParameters& core) {
