@@ -15,6 +15,10 @@ namespace {
 
 constexpr int heights_of_map = 500, most_groups = 40;
 
+// Shares of the area that the classes of heights resolve, four of them from either end; extremes of single
+// maps are not of their pool.
+bool is_resolved(double share) { return std::min(share, 1 - share) >= 4.0 / heights_of_map; }
+
 // Means of derivatives, by the names that begin so.
 bool is_mean_of_derivatives(const std::string& name) {
   return name.starts_with("m2_") || name.starts_with("m4_") || name == "summit_curvature" ||
@@ -104,11 +108,12 @@ void add_core(Parameters& out, const MaterialRatioCurve& curve, const PooledOpti
   const VolumeParameters volumes = curve.volumes(p, q);
   add_row(out, "Sk", core.sk), add_row(out, "Spk", core.spk), add_row(out, "Svk", core.svk);
   add_row(out, "Smr1", core.smr1), add_row(out, "Smr2", core.smr2);
-  add_row(out, "Smc_p", curve.height(p)), add_row(out, "Smc_q", curve.height(q));
+  if (is_resolved(p)) add_row(out, "Smc_p", curve.height(p));
+  if (is_resolved(q)) add_row(out, "Smc_q", curve.height(q));
   add_row(out, "Vmp", volumes.vmp), add_row(out, "Vmc", volumes.vmc);
   add_row(out, "Vvc", volumes.vvc), add_row(out, "Vvv", volumes.vvv);
   for (const double share : options.quantiles)
-    add_row(out, "quantile_" + shortest(share), curve.quantile(share));
+    if (is_resolved(share)) add_row(out, "quantile_" + shortest(share), curve.quantile(share));
 }
 
 // Functions of the means of derivatives.
@@ -185,8 +190,9 @@ Parameters PooledMaps::all(const PooledOptions& options) const {
   Ensemble apart;
   for (std::size_t g = 0; g < groups_.size(); ++g) apart.add(deviations(all_but(g), out));
   const double n = static_cast<double>(groups_.size());
+  // One that no map moves, such as a direction between few lags, is known to the lags only.
   const Eigen::ArrayXd errors =
-      (apart.count() == n).select(apart.spread() * ((n - 1) / std::sqrt(n)), unknown);
+      (apart.count() == n && apart.spread() > 0).select(apart.spread() * ((n - 1) / std::sqrt(n)), unknown);
   for (std::size_t i = 0; i < out.size(); ++i) out[i].standard_error = errors(static_cast<Index>(i));
   return out;
 }

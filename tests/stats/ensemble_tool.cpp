@@ -89,6 +89,15 @@ TEST_CASE("of several surfaces asperity-stats pools moments, with errors by the 
   CHECK(value_in(all, "Sq", "surfaces") == 8);
 }
 
+// Of the pool they would be those of all maps.
+TEST_CASE("the quantiles 0 and 1 of several surfaces are the means of their extremes", "[stats-tool][law]") {
+  write_surfaces(3);
+  const Json all = json_of("asperity-stats --quantiles 0,0.003,0.5,1 g_?.nc");
+  CHECK(value_in(all, "quantile_0", "mean") == -value_in(all, "Sv", "mean"));
+  CHECK(value_in(all, "quantile_1", "mean") == value_in(all, "Sp", "mean"));
+  CHECK(value_in(all, "quantile_0.003", "mean") > value_in(all, "quantile_0", "mean"));
+}
+
 // The mean of the single estimates is 3.8 % low, five of its errors. |t| of 24 degrees exceeds 4 once in 2000.
 TEST_CASE("pooled maps keep the height and the lengths that a removed form took from each",
           "[stats-tool][acf-tool][statistics]") {
