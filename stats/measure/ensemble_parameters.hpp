@@ -9,14 +9,15 @@
 ///
 /// A parameter of one surface, x, and the mean y of n others differ by
 ///     z = (y - x)/√(e_x² + e_y²)                                                                      (1)
-/// standard errors. e_x, and e_y of one other, are theory's, with the degrees of freedom ν of the Student's
-/// t that gives their 95 % intervals. Of several others e_y is the larger of spread and expected spread over
+/// standard errors. e_x, and e_y of one other, are theory's, with the degrees of freedom ν of the Student's t
+/// that gives their 95 % intervals. Of several others e_y is the larger of spread and expected spread over
 /// √n, with the n ν degrees of all their errors while the two agree within twice the relative error of the
-/// spread, and n - 1 otherwise, or where theory gives no errors. z is judged by Student's t of Welch's
-/// 1/ν = (e_x⁴/ν_x + e_y⁴/ν_y)/(e_x² + e_y²)². Of several others as large as the first, or where theory gives
-/// no e_x, it is e_y √n, x being one more of them, and ν that of e_y: a scratch does not excuse itself by the
-/// errors that it makes. Of a single other, and of p-values, there is no z without e_x. Of K parameters with a z those with p ≤ 0.01/K differ (Bonferroni). y is a mean of estimates, and not pooled,
-/// so that x and y have the same bias.
+/// spread, and n - 1 otherwise, or where theory gives no errors. z is judged by Student's t of Welch's 1/ν =
+/// (e_x⁴/ν_x + e_y⁴/ν_y)/(e_x² + e_y²)². Of several others as large as the first, or where theory gives no
+/// e_x, it is e_y √n, x being one more of them, and ν that of e_y: a scratch does not excuse itself by the
+/// errors that it makes. Of a single other, and of p-values, there is no z without e_x. Of K parameters with
+/// a z those with p ≤ 0.01/K differ (Bonferroni). y is a mean of estimates, and not pooled, so that x and y
+/// have the same bias.
 ///
 /// Scope     Independent surfaces. Of a surface before and after a filter most of the errors are common: what
 ///           differs by (1) does so all the more, and what agrees may differ.
