@@ -12,8 +12,9 @@ namespace asperity {
 namespace {
 
 // Along one axis: the field, and the lags beyond which ρ is negligible.
+// Of a correlation that has not ended at the last lag of the field, three times as far.
 Index torus_length(Index n, bool periodic, Index reach) {
-  return periodic ? n : fast_length(std::min(3 * n, n + reach));
+  return periodic ? n : fast_length(reach >= n ? 3 * n : n + reach);
 }
 Shape torus_of(const FieldModel& model) {
   const LagField& rho = model.correlation;
@@ -30,7 +31,7 @@ Shape torus_of(const FieldModel& model) {
 // values, as a step to zero would be noise of short waves.
 LagField continued(const LagField& rho, Shape half, const Grid& grid) {
   auto known = [](Index lag, Index most, Index n, bool periodic) {
-    return periodic || most < n - 1 ? lag : std::clamp(lag, -most, most);
+    return periodic || most < n - 1 ? lag : std::clamp(lag, -std::min(most, n), std::min(most, n));
   };
   return LagField::of(half, [&](Index p, Index q) {
     return rho(known(p, rho.max_p(), grid.shape.nx, grid.periodic.x),

@@ -84,7 +84,7 @@ TEST_CASE("errors of the material ratio move with the unit, not with the level",
 }
 
 // Heights of feed marks are dense at both ends, and the curve falls as little at the valleys as at the peaks.
-TEST_CASE("the core of feed marks may be elsewhere, and says so; that of noise is where it is",
+TEST_CASE("the core of feed marks may be elsewhere, and says so, and that of noise is where it is",
           "[material-error][contract]") {
   const Field z = Field::NullaryExpr(128, 128, [](Index i, Index j) {
     return 1e-6 * (std::sin(0.5 * static_cast<double>(j) + 0.02 * static_cast<double>(i)) +
