@@ -226,6 +226,8 @@ cli::EnsembleTable::Content content_of(const cli::Table& sweep) {
   for (const cli::Column& c : sweep.columns)
     if (prescribed_columns.contains(c.name))
       out.keys.push_back(c.name);
+    else if (c.name.starts_with("percolates_"))
+      out.shares.push_back(c.name);
     else if (!apart.contains(c.name))
       (c.name.ends_with("_error") ? out.means : out.others).push_back(c.name);
   return out;

@@ -81,6 +81,20 @@ TEST_CASE("each of several surfaces has the row of its own contact, and the mean
   CHECK_FALSE(all.has("hertz_pressure"));
 }
 
+// Of none or all of three, Wilson's interval ends z²/(3 + z²) away, z = 1.96: z/(3 + z²) as an error.
+TEST_CASE("a share of several surfaces has an error where all of them agree", "[contact][several][law]") {
+  draw_members("--model gaussian --length 250um");
+  const Printed all = printed(press_each + "--load 60N --add patches 'c_?.nc'");
+  for (const char* name : {"percolates_x", "percolates_y"}) {
+    const auto& column = all[name];
+    const bool agree = column[0] == column[1] && column[1] == column[2];
+    CAPTURE(name, column);
+    CHECK((column[members] == 0 || column[members] == 1) == agree);
+    if (agree) CHECK(relative_error(column[members + 1], 1.959964 / (3 + 3.841459)) <= 1e-6);
+    CHECK(column[members + 1] > 0.28);
+  }
+}
+
 TEST_CASE("sweeps of several surfaces are averaged at each load", "[contact][several][law]") {
   draw_members("--model gaussian --length 250um");
   const std::string sweep = press_each + "--sweep 20N:80N:3 ";

@@ -24,6 +24,13 @@ Eigen::ArrayXd numbers_in(const Table& table, const std::string& name) {
   return out;
 }
 
+// Of a share p of n: that which p ± 1.96 of it reaches the farther end of Wilson's 95 % interval with.
+double error_of_share(double p, double n) {
+  const double z = half_width_95, middle = (p + z * z / (2 * n)) / (1 + z * z / n),
+               half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+  return (std::abs(middle - p) + half) / z;
+}
+
 void append(Table& table, const Column& column, const Eigen::ArrayXd& values) {
   table.columns.push_back(column);
   for (Index i = 0; i < values.size(); ++i) table.rows[static_cast<std::size_t>(i)].emplace_back(values(i));
@@ -92,12 +99,11 @@ void EnsembleTable::check_keys(const Table& table, const std::string& file) cons
   column_like_first(content_.value);
 }
 
-void EnsembleTable::add_further(const Table& table, const std::string& name, bool with_error) {
+void EnsembleTable::add_further(const Table& table, const std::string& name, Error error) {
   const Column* column = column_of(table, name);
   if (column == nullptr) return;
   auto known = std::ranges::find(further_, name, [](const Further& f) { return f.column.name; });
-  if (known == further_.end())
-    known = further_.insert(known, {{name, column->unit, Holds::unknown}, with_error});
+  if (known == further_.end()) known = further_.insert(known, {{name, column->unit, Holds::unknown}, error});
   known->values.add(numbers_in(table, name));
 }
 
@@ -129,8 +135,9 @@ void EnsembleTable::add(const Table& table, const std::string& file) {
   check_keys(table, file);
   values_.add(numbers_in(table, content_.value));
   if (column_of(table, content_.error)) square_errors_.add(numbers_in(table, content_.error).square());
-  for (const std::string& name : content_.others) add_further(table, name, true);
-  for (const std::string& name : content_.means) add_further(table, name, false);
+  for (const std::string& name : content_.others) add_further(table, name, Error::of_spread);
+  for (const std::string& name : content_.shares) add_further(table, name, Error::of_share);
+  for (const std::string& name : content_.means) add_further(table, name, Error::none);
   add_reasons(table);
 }
 
@@ -145,10 +152,14 @@ Table EnsembleTable::table() const {
   const std::string unit = column_of(first_, content_.value)->unit;
   append(out, {content_.value, unit, Holds::unknown}, values_.mean());
   append(out, {content_.error, unit, Holds::unknown}, values_.standard_error());
-  for (const auto& [column, with_error, values] : further_) {
+  for (const auto& [column, error, values] : further_) {
     append(out, column, values.mean());
-    if (with_error)
-      append(out, {column.name + "_standard_error", column.unit, Holds::unknown}, values.standard_error());
+    if (error == Error::none) continue;
+    const Column of_error{column.name + "_standard_error", column.unit, Holds::unknown};
+    if (error == Error::of_share)
+      append(out, of_error, values.mean().binaryExpr(values.count(), &error_of_share));
+    else
+      append(out, of_error, values.standard_error());
   }
   if (square_errors_.count().size() > 0) {
     append(out, {"spread", unit, Holds::unknown}, values_.spread());
@@ -240,13 +251,6 @@ double value_in(const SurfaceRow& row, const ResultColumn& column) {
   if (column.column.name == "converged") return row.results.converged ? 1 : 0;
   const Values* values = row.results.attributes.find(column.attribute);
   return values == nullptr ? NAN : number_in(*values).value_or(NAN);
-}
-
-// Of a share p of n: that which p ± 1.96 of it reaches the farther end of Wilson's 95 % interval with.
-double error_of_share(double p, double n) {
-  const double z = half_width_95, middle = (p + z * z / (2 * n)) / (1 + z * z / n),
-               half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
-  return (std::abs(middle - p) + half) / z;
 }
 
 Eigen::ArrayXd errors_of(const Ensemble& ensemble, const std::vector<ResultColumn>& columns) {

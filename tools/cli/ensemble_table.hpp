@@ -38,6 +38,7 @@ class EnsembleTable {
     std::vector<std::string> keys;  ///< columns that are the same for all surfaces
     std::string value, error = "standard_error";
     std::vector<std::string> others = {}, means = {};
+    std::vector<std::string> shares = {};  ///< of 0 or 1, like `others`, with the error of Wilson's interval
     /// Words why a row of one surface has no error, "-" where it has one. They tell of a bias that all
     /// surfaces have: rows for which more than a tenth of them give a reason have no error.
     std::string reason = {};
@@ -54,7 +55,8 @@ class EnsembleTable {
 
  private:
   void check_keys(const Table& table, const std::string& file) const;
-  void add_further(const Table& table, const std::string& name, bool with_error);
+  enum class Error { none, of_spread, of_share };
+  void add_further(const Table& table, const std::string& name, Error error);
   void add_reasons(const Table& table);
   void append_reasons(Table& out) const;
 
@@ -65,7 +67,7 @@ class EnsembleTable {
   Ensemble values_ = {}, square_errors_ = {};
   struct Further {
     Column column;
-    bool with_error;
+    Error error;
     Ensemble values = {};
   };
   std::vector<Further> further_ = {};
