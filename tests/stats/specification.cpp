@@ -188,8 +188,8 @@ const TestResult& of(const std::vector<TestResult>& rows, const std::string& qua
 
 }  // namespace
 
-// A small field of a few correlation lengths, N/S_2 = 16: as many surfaces as this see the bias of first order in
-// Sku, which is 40 % off there, in every ensemble. Three errors √(0.05·0.95/40) above 5 %.
+// A small field of a few correlation lengths, N/S_2 = 16: as many surfaces as this see a bias of first order in Sku
+// in every ensemble. Three errors √(0.05·0.95/40) above 5 %.
 TEST_CASE("an ensemble of a hundred small surfaces as prescribed is refused no more often than stated",
           "[prescription][statistics]") {
   const double often = rejected(prescription({20, 20}), {20, 20}, 100, 40);
