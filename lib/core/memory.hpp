@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <malloc.h>
 #include <new>
 #include <sys/mman.h>
 #include <vector>
@@ -37,15 +36,6 @@ inline Field large_field(Shape shape) {
   Field out(shape.nx, shape.ny);
   prefer_large_pages(out.data(), size(out.size()) * sizeof(double));
   return out;
-}
-
-/// From here on a freed block of 1 MiB or more goes back to the system at once. Else glibc comes to keep
-/// those of up to 32 MiB, so that a run holds all arrays that it ever had. Costs the first access to the
-/// pages of each block.
-inline void return_freed_memory() {
-#ifdef M_MMAP_THRESHOLD
-  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
-#endif
 }
 
 /// Throws std::bad_alloc if this many bytes are not available in one piece. For libraries that fail without
