@@ -63,9 +63,10 @@ intervals that hold the truth, `ratio` the stated over the true error; the least
 in half of the fields:
 END
 table error_coverage-2
-claim "Errors of the mean, Sq, quantiles, slopes, spectral moments, summits, lags and 1/e lengths, means over profiles but Pku, spectra and the density at the mean are at least 0.8 of the true ones and at most twice these on every texture." error_coverage-2 \
-  '$c["parameter"] ~ /^(Sdq|Sdr|m[024]|alpha|summit|nayak|mean|Sq|quantile|Smc|acf|structure|length_e|gamma_e|P[^_]*$|psd_[a-z]+_(3|12)$|density_0)/ && $c["parameter"] != "Pku" && $c["textures"] > 0' \
-  '$c["least_ratio"] >= '"$(size 0.5 0.8)"' && $c["most_ratio"] <= 2'
+# Of 20 fields, with --quick, Pku is 2.7 times too large; at full size it counts.
+claim "Errors of the mean, Sq, quantiles, slopes, spectral moments, summits, lags and 1/e lengths, means over profiles, spectra and the density at the mean are within a quarter of the true ones on every texture." error_coverage-2 \
+  '$c["parameter"] ~ /^(Sdq|Sdr|m[024]|alpha|summit|nayak|mean|Sq|quantile|Smc|acf|structure|length_e|gamma_e|P[^_]*$|psd_[a-z]+_(3|12)$|density_0)/ && $c["textures"] > 0'"$(size ' && $c["parameter"] != "Pku"' '')" \
+  '$c["least_ratio"] >= '"$(size 0.5 0.8)"' && $c["most_ratio"] <= '"$(size 2 1.25)"
 text <<'END'
 Shares and densities of fewer than two independent heights have intervals, but no error. Where the window smooths or leaks too
 much of a spectrum, as of a Gaussian correlation at the wave number 40, it has no error. A few profiles decide the spread of Pku
