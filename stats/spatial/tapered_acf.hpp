@@ -12,7 +12,8 @@
 /// with t = (i + ½)/n, and the same for 1 - t. Correlations of a tenth of a side come out 7 % smaller, of a
 /// fifth 20 %. Hann's window (a = ½) would leave a quarter of that area to count: Sq of one map and its twins
 /// then differ by 5 to 10 % in place of 2 to 5 %; narrower ramps make more summits of the smoothest maps. The
-/// level is the mean weighted with w². A periodic field needs no window.
+/// level is the mean weighted with w². A periodic field needs no window; one that is periodic along one axis
+/// alone is tapered along both.
 ///
 /// Where points are missing, narrow holes are filled with the membrane (stats/filter/outliers.hpp), and w
 /// falls to zero towards wide ones, which hold 5 × 5 missing points, over a sixteenth of the shorter side.
