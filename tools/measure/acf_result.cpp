@@ -8,10 +8,12 @@
 
 #include "dataset/layout.hpp"
 #include "stats/filter/missing.hpp"
+#include "stats/height/distribution.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/spatial/tapered_acf.hpp"
 #include "stats/uncertainty/translation_error.hpp"
 #include "tools/cli/lineage.hpp"
+#include "tools/cli/quantity.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/surface/marginal.hpp"
 
@@ -87,10 +89,28 @@ std::string AcfContent::squared() const { return unit_to(units, 2); }
 
 const char* taper_of(const Grid& grid) { return grid.periodic.both() ? "none" : "tukey"; }
 
+namespace {
+
+// Rounding to steps is noise of step²/12, in a second difference six times as much: the larger share.
+double share_of_rounding(double step, const AcfEstimate& of) {
+  const LagField& rho = of.rho;
+  double share = 0;
+  for (const Shape axis : {Shape{1, 0}, Shape{0, 1}}) {
+    if ((axis.nx ? rho.max_p() : rho.max_q()) < 2) continue;
+    const double bend = 6 - 8 * rho(axis.nx, axis.ny) + 2 * rho(2 * axis.nx, 2 * axis.ny);
+    share = std::max(share, step * step / 2 / of.variance / bend);
+  }
+  return share;
+}
+
+}  // namespace
+
 AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads) {
   const ErrorBasis basis = error_basis(surface, threads);
   AcfResult out{
       AcfEstimate(tapered_autocorrelation(surface.heights, surface.grid, max_lag, threads), basis, true)};
+  out.step = height_steps(surface.heights).step;
+  out.rounding = share_of_rounding(out.step, out.estimate);
   out.slopes = slopes_by_taper(surface.heights, surface.grid, out.estimate.rho);
   out.moments = moments(surface.heights, surface.variable);
   const EffectiveSampleSize size = basis.size();
@@ -102,7 +122,13 @@ AcfResult tapered_acf(const Surface& surface, Shape max_lag, int threads) {
 }
 
 void warn_of_taper(const Tool& tool, const Surface& surface, const AcfResult& result) {
-  constexpr double notable = 1.05, tenfold = 10;
+  constexpr double notable = 1.05, tenfold = 10, rounded = 0.05;
+  if (result.rounding > rounded)
+    tool.warn(
+        fmt::format("heights stand on steps of {}, {:.0f} % of their mean square second difference: twins "
+                    "have the rounding as "
+                    "noise, and more summits than the surface; smooth it first (--lambda-s)",
+                    format_quantity(result.step, surface.units), 100 * std::min(result.rounding, 1.0)));
   if (result.slopes <= notable) return;
   const Shape lags = result.estimate.rho.max_lag();
   const std::string by =

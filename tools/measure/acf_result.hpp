@@ -24,6 +24,7 @@ struct AcfResult {
   std::optional<MeasuredHeights> quantiles = {};
   std::optional<LagField> errors = {};  ///< of the ACF
   const char* marginal = "";            ///< "gaussian", or "measured" of heights that evidently are not
+  double step = 0, rounding = 0;        ///< of the heights; its share of the mean square second difference
   double slopes = 1;                    ///< by which factor the taper raises those of twins
   /// Errors, of what prints them.
   std::optional<std::array<ProfileErrors, 2>> profiles = {};
