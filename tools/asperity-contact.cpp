@@ -91,13 +91,13 @@ int press_one(cli::Tool& tool, cli::ContactOptions& options) {
   const cli::Pressed& pressed = accurate.pressed;
   cli::record(scene, options, pressed.contact, pressed.figures);
   before.tell(tool, scene.data, "pressure");
-  scene.written([&] { tool.write(scene.data); });
   warn_of(tool, options, scene);
   warn(tool, pressed.doubts);
   const int code = exit_of(tool, options, pressed.contact);
-  if (accurate.unreached.empty()) return code;
-  tool.warn("the accuracy is not reached: " + accurate.unreached);
-  return cli::not_converged;
+  const bool reached = accurate.unreached.empty();
+  if (!reached) tool.warn("the accuracy is not reached: " + accurate.unreached);
+  scene.written([&] { tool.write(scene.data); });
+  return reached ? code : cli::not_converged;
 }
 
 // ---- several surfaces ----

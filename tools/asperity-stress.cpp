@@ -34,20 +34,21 @@ void compute(cli::Tool& tool, cli::StressOptions& options, const cli::StressSele
     if (cli::through_maximum(options.section)) cli::cut(scene, options.section, {top.x, top.y});
   }
   cli::record_parameters(scene);
-  auto record_time = [&](Attributes& a) { a.set("stress_seconds", cli::on_record(clock.seconds())); };
-  record_time(scene.data.attributes);
-
+  auto finish = [&](double in_layers) {
+    scene.data.attributes.set("stress_seconds", cli::on_record(clock.seconds()));
+    before.tell(tool, scene.data, "stress");
+    cli::warn_of_yield(tool, scene, std::max(largest, in_layers));
+    tool.record_warnings(scene.data.attributes, "stress_");
+  };
   if (scene.depths.empty()) {
-    tool.write(scene.data);
-  } else {
-    const StressSolver solver(scene.body, scene.plane, tool.thread_count(), scene.resolution);
-    cli::StressWriter writer(tool, scene, selection, solver);
-    writer.write(record_time);
-    largest = std::max(largest, writer.largest("von_mises"));
+    finish(0);
+    return tool.write(scene.data);
   }
+  scene.data.attributes.set("stress_seconds", 0.0);
+  const StressSolver solver(scene.body, scene.plane, tool.thread_count(), scene.resolution);
+  cli::StressWriter writer(tool, scene, selection, solver);
   if (!shallow) cli::warn_of_shallow_layers(tool, scene);
-  before.tell(tool, scene.data, "stress");
-  cli::warn_of_yield(tool, scene, largest);
+  writer.write([&] { finish(writer.largest("von_mises")); });
 }
 
 cli::Several several_stresses() {

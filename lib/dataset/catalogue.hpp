@@ -98,6 +98,7 @@ inline constexpr KnownAttribute attributes[] = {
     {"kernel_least_acf", other, "1", "smallest autocorrelation possible with these heights"},
     {"kernel_mirrored_error", other, "1", "largest error over mirrored lags"},
     {"kernel_preconditionings", other, "1", "preconditionings"},
+    {"kernel_warnings", other, "", "warnings, a line each"},
     {"generate_rms", parameter, "m", "rms height of the ensemble"},
     {"generate_exact_rq", parameter, "yes", "rescaled to exactly this rms height"},
     {"generate_seed", parameter, "1", "seed"},
@@ -110,8 +111,10 @@ inline constexpr KnownAttribute attributes[] = {
     {"generate_kurtosis_expected", achieved, "1", "expected kurtosis"},
     {"generate_acf_error_expected", achieved, "1", "expected error of the autocorrelation", true},
     {"generate_seconds", achieved, "s", "time"},
+    {"generate_warnings", other, "", "warnings, a line each"},
     {"filter_form_degree", parameter, "1", "degree of the form that was removed"},
     {"filter_filled_share", parameter, "1", "share of the points that were filled"},
+    {"filter_warnings", other, "", "warnings, a line each"},
     {"acf_variable", other, "", "measured field"},
     {"acf_surfaces", other, "1", "surfaces in the mean"},
     {"acf_taper", other, "", "window of the tapered field"},
@@ -124,11 +127,13 @@ inline constexpr KnownAttribute attributes[] = {
     {"acf_ellipticity_*", other, "1", "long over short axis of the contour, and direction of the long axis",
      true},
     {"acf_target_*", other, "", "the same for the target", true},
+    {"acf_warnings", other, "", "warnings, a line each"},
     {"psd_degrees_of_freedom", other, "1", "degrees of freedom of chi-squared of a single wave number"},
     {"psd_relative_error", other, "1", "standard error of a single wave number over psd"},
     {"psd_variable", other, "", "measured field"},
     {"psd_surfaces", other, "1", "surfaces in the mean"},
     {"psd_window", other, "", "window"},
+    {"psd_warnings", other, "", "warnings, a line each"},
     {"contact_load", result, "N", "load"},
     {"contact_mean_pressure", result, "Pa", "mean pressure over the nominal area"},
     {"contact_approach", result, "m", "approach"},
@@ -205,6 +210,7 @@ inline constexpr KnownAttribute attributes[] = {
     {"contact_seconds", achieved, "s", "solution time"},
     {"contact_radius", other, "m", "radius of the body"},
     {"contact_hertz_radius", other, "m", "contact radius, smooth (Hertz)"},
+    {"contact_warnings", other, "", "warnings, a line each"},
     {"stress_max_von_mises", result, "Pa", "largest von Mises stress"},
     {"stress_max_shear", result, "Pa", "largest shear stress"},
     {"stress_max_principal", result, "Pa", "largest principal stress"},
@@ -224,7 +230,8 @@ inline constexpr KnownAttribute attributes[] = {
     {"stress_section_x", parameter, "m", "section at x"},
     {"stress_section_y", parameter, "m", "section at y"},
     {"stress_accurate_depth", achieved, "m", "smallest accurate depth"},
-    {"stress_seconds", achieved, "s", "time"}};
+    {"stress_seconds", achieved, "s", "time"},
+    {"stress_warnings", other, "", "warnings, a line each"}};
 
 }  // namespace catalogue
 

@@ -60,12 +60,12 @@ Dataset open_netcdf(Bytes bytes, const MemoryBound& memory = {});
 
 /// The bytes before the values of the last `deferred` variables, for a dataset too large for memory. These
 /// variables are of doubles and hold no values yet; their values follow in the file as from encode_values,
-/// variable by variable. The length depends only on names, types and numbers of values, so that a header with
-/// other attribute values may replace an earlier one.
-std::string encode_netcdf(const Dataset& dataset, std::size_t deferred = 0);
+/// variable by variable. The header takes `head_bytes` at least, zeros at its end: another one, of other
+/// attributes, may take its place.
+std::string encode_netcdf(const Dataset& dataset, std::size_t deferred = 0, std::size_t head_bytes = 0);
 /// Passes the same bytes to `sink` in pieces, without a copy of the values.
 void write_netcdf(const Dataset& dataset, const std::function<void(std::string_view)>& sink,
-                  std::size_t deferred = 0);
+                  std::size_t deferred = 0, std::size_t head_bytes = 0);
 /// Doubles as in the file, big-endian.
 std::string encode_values(std::span<const double> values);
 

@@ -54,7 +54,7 @@ void check_name(const std::string& name) {
 // A header in the making.
 class HeadWriter {
  public:
-  explicit HeadWriter(const Dataset& dataset) : dataset_(dataset), wide_(needs_cdf5(dataset)) {
+  HeadWriter(const Dataset& dataset, std::size_t least) : dataset_(dataset), wide_(needs_cdf5(dataset)) {
     bytes_ = wide_ ? "CDF\005" : "CDF\002";
     count(0);  // records
     dimensions_part();
@@ -65,6 +65,7 @@ class HeadWriter {
       if (!names.insert(v.name).second) throw DataError(v.name, "is twice in the dataset");
       variable_part(v);
     }
+    bytes_.resize(std::max(bytes_.size(), padded(least)));
     place_values();
   }
   std::string bytes() && { return std::move(bytes_); }
@@ -196,23 +197,23 @@ std::size_t write_unread(const Variable& variable, const Sink& sink) {
 
 }  // namespace
 
-void write_netcdf(const Dataset& dataset, const Sink& sink, std::size_t deferred) {
+void write_netcdf(const Dataset& dataset, const Sink& sink, std::size_t deferred, std::size_t head_bytes) {
   const std::span all(dataset.variables.begin(), dataset.variables.size() - deferred);
   for (const Variable& v : all)
     if (const std::size_t places = places_of(dataset, v); places != count(v))
       throw std::logic_error(v.name + " has " + std::to_string(count(v)) + " values for " +
                              std::to_string(places) + " places");
-  sink(HeadWriter(dataset).bytes());
+  sink(HeadWriter(dataset, head_bytes).bytes());
   for (const Variable& v : all) {
     const std::size_t bytes = v.unread ? write_unread(v, sink) : write_read(v.values, sink);
     sink(std::string_view("\0\0\0", padded(bytes) - bytes));
   }
 }
 
-std::string encode_netcdf(const Dataset& dataset, std::size_t deferred) {
+std::string encode_netcdf(const Dataset& dataset, std::size_t deferred, std::size_t head_bytes) {
   std::string bytes;
   write_netcdf(
-      dataset, [&](std::string_view piece) { bytes += piece; }, deferred);
+      dataset, [&](std::string_view piece) { bytes += piece; }, deferred, head_bytes);
   return bytes;
 }
 

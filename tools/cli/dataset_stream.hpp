@@ -30,18 +30,22 @@ class DatasetStream {
 
   /// Whether head() may be called again: the output is a regular file, no pipe.
   bool rewritable() const { return file_->rewritable(); }
+  /// The head of this dataset may come to take `room` bytes more, in file and pipe alike.
+  void reserve(const Dataset& dataset, std::size_t room) {
+    head_bytes_ = encode_netcdf(dataset, dataset.variables.size()).size() + room;
+  }
   /// The last `deferred` variables are of doubles and hold none yet. Another call replaces the head;
-  /// attributes may differ in value, not in size.
+  /// attributes may differ in value, and in size as far as reserve() made room.
   void head(const Dataset& dataset, std::size_t deferred) {
     if (values_from_ > 0) return replace_head(dataset);
     write_netcdf(
         dataset,
         [&](std::string_view piece) {
-          if (head_bytes_ == 0) head_bytes_ = piece.size();
+          if (values_from_ == 0) head_bytes_ = piece.size();
           values_from_ += piece.size();
           file_->write(piece);
         },
-        deferred);
+        deferred, head_bytes_);
   }
   /// The next values of the deferred variables.
   void values(const Eigen::Ref<const Field>& rows) {
@@ -83,7 +87,7 @@ class DatasetStream {
 
   // All that is there of a dataset without any values, which stay as they are.
   void replace_head(const Dataset& dataset) {
-    const std::string bytes = encode_netcdf(dataset, dataset.variables.size());
+    const std::string bytes = encode_netcdf(dataset, dataset.variables.size(), head_bytes_);
     if (bytes.size() != head_bytes_)
       throw std::logic_error("a head of another length cannot replace the first one");
     file_->rewrite(bytes);

@@ -22,6 +22,11 @@ namespace {
 
 thread_local std::string last_read;
 
+constexpr const char* warnings_suffix = "warnings";
+
+// Of the attributes that a tool writes: "contact_".
+std::string prefix_of(const std::string& tool) { return tool.substr(tool.find('-') + 1) + "_"; }
+
 // The file gets its name in order.
 void put(const Dataset& dataset, const std::string& name) {
   const auto file = std::make_shared<OutputFile>(name);
@@ -190,15 +195,28 @@ void Datasets::write(Dataset& dataset, const std::string& name, const std::vecto
 void Datasets::sign(Dataset& dataset, const std::vector<std::string>& lines) const {
   dataset.attributes.set("Conventions", "CF-1.8");
   dataset.attributes.set("source", source());
+  const std::string own = prefix_of(options_.name());
+  if (std::ranges::find(known_results(), own, &KnownResult::prefix) != known_results().end())
+    record_warnings(dataset.attributes, own);
   if (no_history_) return;
   std::string entry = timestamp() + ": " + options_.command_line();
   for (const std::string& line : lines) entry += "\n  " + line;
   add_history(dataset, entry);
 }
 
+void Datasets::record_warnings(Attributes& attributes, std::string_view prefix) const {
+  std::string known = "\n";
+  for (const Attribute& a : attributes)
+    if (a.name.ends_with(warnings_suffix)) known += attributes.text(a.name) + "\n";
+  const std::string name = std::string(prefix) + warnings_suffix;
+  std::string lines = attributes.text(name);
+  for (const std::string& line : messages_.take_warnings())
+    if (known.find("\n" + line + "\n") == known.npos) lines += (lines.empty() ? "" : "\n") + line;
+  if (!lines.empty()) attributes.set(name, lines);
+}
+
 void Datasets::write_report(const Dataset& dataset) const {
-  const std::string& tool = options_.name();
-  if (!report_.empty()) write_all(report_, report_of(dataset, tool.substr(tool.find('-') + 1) + "_"));
+  if (!report_.empty()) write_all(report_, report_of(dataset, prefix_of(options_.name())));
 }
 
 void Datasets::write_text(const std::string& text) const {

@@ -110,7 +110,8 @@ void replace_surface(const Tool& tool, Dataset& data, const Map& map, bool anoth
 Inventory::Inventory(const Dataset& data) {
   for (const Variable& v : data.variables)
     if (!is_coordinate(v)) names_.push_back(v.name);
-  for (const Attribute& a : data.attributes) names_.push_back(a.name);
+  for (const Attribute& a : data.attributes)
+    if (!a.name.ends_with("_warnings")) names_.push_back(a.name);
 }
 
 std::vector<std::string> Inventory::missing_in(const Dataset& now) const {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "core/words.hpp"
 #include "tools/cli/hints.hpp"
 #include "tools/cli/options.hpp"
@@ -12,6 +13,10 @@
 
 namespace asperity::cli {
 namespace {
+
+// Of the one of several datasets that this thread works on.
+thread_local bool of_one = false;
+thread_local std::vector<std::string> warnings_of_one;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -63,10 +68,28 @@ void Messages::declare(Options& options) {
 void Messages::say(const std::string& line) { Progress::say(one_line(line)); }
 
 void Messages::warn(const std::string& text) const {
+  keep(one_line(with_options(text, options_)));
   in_order([this, text] {
     const std::optional<std::string> line = subject_.empty() ? text : warnings_.first(subject_, text);
-    if (line) say(tool_ + ": warning: " + with_options(*line, options_));
+    if (!line) return;
+    printed_.push_back(one_line(with_options(*line, options_)));
+    say(tool_ + ": warning: " + printed_.back());
   });
+}
+
+void Messages::keep(const std::string& warning) const {
+  if (of_one || works_alone()) return warnings_of_one.push_back(warning);
+  const std::scoped_lock lock(mutex_);
+  of_run_.push_back(warning);
+}
+
+std::vector<std::string> Messages::take_warnings() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<std::string> out;
+  for (const auto& each : {of_run_, std::exchange(warnings_of_one, {})})
+    for (const std::string& line : each)
+      if (std::ranges::find(out, line) == out.end()) out.push_back(line);
+  return out;
 }
 
 void Messages::note(const std::string& text) const {
@@ -77,6 +100,8 @@ void Messages::note(const std::string& text) const {
 }
 
 void Messages::about(const std::string& surface) const {
+  of_one = !surface.empty();
+  warnings_of_one.clear();
   in_order([this, surface] {
     subject_ = surface;
     if (!surface.empty()) return;

@@ -1,6 +1,8 @@
-/// Messages to the user: one line each on standard error, in place of a line of progress.
+/// Messages to the user: one line each on standard error, in place of a line of progress. Warnings are also
+/// kept, for the result that they are about.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -28,10 +30,17 @@ class Messages {
   /// alone the first is printed, the others are counted. After "", which prints the counts, they are about
   /// the run.
   void about(const std::string& surface) const;
+  /// The warnings printed so far.
+  const std::vector<std::string>& warnings() const { return printed_; }
+  /// Those about the dataset that this thread works on, and those of the run before it, each once. None of
+  /// them is about another dataset afterwards, but those of the run.
+  std::vector<std::string> take_warnings() const;
   /// A line as it is, but for what could control a terminal.
   static void say(const std::string& line);
 
  private:
+  void keep(const std::string& warning) const;
+
   std::string tool_;
   const Options& options_;
   bool quiet_ = false, verbose_ = false;
@@ -55,6 +64,9 @@ class Messages {
   };
   mutable std::string subject_;  ///< of warnings: one of several surfaces
   mutable Repeated warnings_, notes_;
+  mutable std::vector<std::string> printed_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::string> of_run_;  ///< outside pieces of work (cli/ordered_work.hpp)
 };
 
 /// "--load is required", but "--load: '5' has no unit".

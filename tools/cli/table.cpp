@@ -38,6 +38,15 @@ constexpr std::size_t widest_table = 1000;  // line of a table on a terminal
 
 std::string as_json(const Table& table) { return table.json(); }
 std::string as_json(const Parameters& parameters) { return cli::json_of(parameters); }
+
+// The object with what the run warned of.
+std::string with_warnings(const std::string& text, const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return text;
+  Json object = Json::parse(text);
+  for (const std::string& line : warnings) object["warnings"].push_back(utf8_of(line));
+  return object.dump(2) + "\n";
+}
+
 std::string as_tsv(const Table& table) { return table.tsv(); }
 std::string as_tsv(const Parameters& parameters) { return table_of(parameters).tsv(); }
 
@@ -45,7 +54,7 @@ template <class Rows>
 void put(const Tool& tool, const Rows& rows) {
   check_finite(rows);
   check_table_name(tool.output_name(), tool.json());
-  tool.write_text(tool.json()                 ? as_json(rows)
+  tool.write_text(tool.json()                 ? with_warnings(as_json(rows), tool.warnings())
                   : tool.output_is_terminal() ? aligned(rows, columns_of(STDOUT_FILENO, widest_table))
                                               : as_tsv(rows));
 }

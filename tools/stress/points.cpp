@@ -154,9 +154,9 @@ void print_points(const Tool& tool, StressOptions& options, const StressSelectio
   const StressScene scene = read_scene(tool, options);
   const StressPoints below(scene.body, tool.thread_count());
   const Table table = stress_table(below, selection, points, tool.thread_count());
-  print(tool, table);
   warn_if_shallow(tool, scene, below, points);
   warn_of_yield(tool, scene, largest_in(table, "von_mises"));
+  print(tool, table);
 }
 
 }  // namespace asperity::cli

@@ -131,9 +131,13 @@ void warn_of_shallow_layers(const Tool& tool, const StressScene& scene) {
       accurate_depth(scene.body.grid) * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction)));
 }
 
-void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises) {
+double StressScene::yield_stress() const {
   constexpr double none = std::numeric_limits<double>::infinity();
-  const double yield = scene.data.attributes.number("contact_limit_pressure", none) / hardness;
+  return data.attributes.number("contact_limit_pressure", none) / hardness;
+}
+
+void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises) {
+  const double yield = scene.yield_stress();
   if (!(von_mises > yield)) return;
   tool.warn(fmt::format(
       "von Mises stress reaches {:.4g} MPa, above the yield stress of {:.4g} MPa, a third of "

@@ -17,6 +17,9 @@ struct StressScene {
   std::optional<Plane> plane;  ///< of a section
   double least = 0;            ///< stresses of smaller modulus are left out [Pa]
   DepthResolution resolution = DepthResolution::adapted;
+
+  /// [Pa], a third of the contact's limit pressure; infinite where it has none.
+  double yield_stress() const;
 };
 
 /// A depth as it is typed, "2px" (of the shorter side of a cell) or "10um" [m]. Throws ParameterError(option)

@@ -101,7 +101,7 @@ StressWriter::StressWriter(const Tool& tool, StressScene& scene, const StressSel
       progress_(tool),
       steps_(tool, {"layer", "depth [um]", "greatest " + outputs_[0].name + " [MPa]"}) {}
 
-void StressWriter::write(const std::function<void(Attributes&)>& finish) {
+void StressWriter::write(const std::function<void()>& finish) {
   if (tool_.is_first_rank()) return write_all(finish);
   if (scene_.body.ranks->count() == 1) return;  // all ranks alike
   for (Index pass = agreed_passes(0); pass > 0; --pass) layers({});
@@ -111,15 +111,17 @@ Index StressWriter::agreed_passes(Index of_the_first) const {
   return gathered(*scene_.body.ranks, std::vector{of_the_first}).front();
 }
 
-void StressWriter::write_all(const std::function<void(Attributes&)>& finish) {
+void StressWriter::write_all(const std::function<void()>& finish) {
   set_depths(scene_.data, scene_.depths);
   const auto result =
       sizeof(double) * outputs_.size() * scene_.depths.size() * static_cast<std::size_t>(shape_.cells());
   DatasetStream out(tool_.output_name());
   record();
   tool_.sign(scene_.data);
+  constexpr std::size_t a_warning = 1024;  // of the yield stress: in the end
+  if (std::isfinite(scene_.yield_stress())) out.reserve(scene_.data, a_warning);
   auto head = [&] {
-    finish(scene_.data.attributes);
+    finish();
     record();
     out.head(scene_.data, outputs_.size());
   };

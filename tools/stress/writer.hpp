@@ -20,8 +20,9 @@ class StressWriter {
   StressWriter(const Tool& tool, StressScene& scene, const StressSelection& selection,
                const StressSolver& solver);
 
-  /// Computes the layers of the scene and writes its dataset with them. In the end `finish` sets attributes.
-  void write(const std::function<void(Attributes&)>& finish);
+  /// Computes the layers of the scene and writes its dataset with them. When they are computed, `finish` sets
+  /// the last attributes of the scene.
+  void write(const std::function<void()>& finish);
   /// What was the largest value of an output [Pa]; 0 where it was not requested.
   double largest(std::string_view output) const;
 
@@ -31,7 +32,7 @@ class StressWriter {
   using Take = std::function<void(std::size_t output, Index layer, Index i, Values values)>;
 
   /// What the first rank writes.
-  void write_all(const std::function<void(Attributes&)>& finish);
+  void write_all(const std::function<void()>& finish);
   /// How often all layers are computed, by the word of the first rank.
   Index agreed_passes(Index of_the_first) const;
   /// Every row of every layer, and what there is to do after each layer; on the first rank.

@@ -276,6 +276,7 @@ SurfaceKernel surface_kernel(const Tool& tool, GenerateOptions& options, std::op
   // That of the kernel itself where there is one: the surface is then drawn again from its dataset.
   if (out.tables.period == shape_of(out.tables.kernel)) out.root = root_of_kernel(out.tables.kernel);
   if (!out.change.empty()) tool.warn(out.change);
+  tool.record_warnings(out.data.attributes, "kernel_");
   options.acf.height.apply(tool, out.tables, shape, out.data.attributes);
   const auto [dx, dy] = *out.tables.spacing;
   const Grid grid{shape, dx, dy, options.periodic};
