@@ -116,49 +116,6 @@ std::map<std::string, Values> contents(const Dataset& data) {
 
 }  // namespace
 
-// Of exponential heights, whose slopes no grid resolves, at a limit pressure that yields below.
-TEST_CASE("what a tool warns of stands in its dataset, goes on with it, and goes with the result",
-          "[lineage][warnings][contract]") {
-  const std::string unresolved = "the grid does not resolve the surface", yields = "von Mises stress reaches",
-                    layers = " --depths 0:60um:3 ";
-  require(rough + " --seed 3 -o w.nc");
-  require("asperity-contact w.nc --load 50N --yield 300MPa" + bodies + "-o pressed.nc");
-  CHECK(attributes_in("pressed.nc").text("contact_warnings").starts_with(unresolved));
-
-  require("asperity-stress pressed.nc" + layers + "-o in_file.nc && asperity-stress pressed.nc" + layers +
-          "| cat > piped.nc && asperity-stress pressed.nc --maximum -o maximum.nc");
-  for (const char* name : {"in_file.nc", "piped.nc", "maximum.nc"}) {
-    const Attributes a = attributes_in(name);
-    CAPTURE(name, a.text("stress_warnings"));
-    CHECK(a.text("contact_warnings").starts_with(unresolved));
-    CHECK(a.text("stress_warnings").find(yields) != std::string::npos);
-    CHECK(a.text("stress_warnings").find(unresolved) == std::string::npos);
-  }
-  CHECK(values_in("in_file.nc", "von_mises") == values_in("piped.nc", "von_mises"));
-
-  require("asperity-stress in_file.nc -o twice.nc" + layers);
-  CHECK(attributes_in("twice.nc").text("stress_warnings") ==
-        attributes_in("in_file.nc").text("stress_warnings"));
-  require("asperity-contact in_file.nc --load 1N" + bodies + "-o again.nc");
-  CHECK(attributes_in("again.nc").text("stress_warnings").empty());
-}
-
-// Each surface has its own, whether they are worked on at once or one after the other; JSON has all.
-TEST_CASE("a warning about one of several surfaces stands in its dataset alone",
-          "[lineage][warnings][several][contract]") {
-  require(rough + " --seed 3 -o of_0.nc && " + rough + " --model gaussian --seed 3 -o of_1.nc");
-  for (const char* threads : {"1", "2"}) {
-    const std::string line = "asperity-contact of_?.nc --load 50N" + bodies + "--threads " + threads;
-    require(line + " --each each_%d.nc -o rows.tsv");
-    CHECK(attributes_in("each_1.nc").text("contact_warnings").starts_with("the grid does not resolve"));
-    CHECK(attributes_in("each_2.nc").text("contact_warnings").empty());
-    const std::string json = require(line + " --json").out;
-    CHECK(json.find("\"warnings\": [\n    \"of_0.nc: the grid does not resolve") != std::string::npos);
-  }
-  CHECK(require("asperity-contact of_1.nc --sweep 50N,60N --json" + bodies).out.find("warnings") ==
-        std::string::npos);
-}
-
 // A contact at 2 N on a file that held the stress of 5 N kept von_mises and stress_max_von_mises: each tool
 // had a list of its own of what to forget, of its own results alone.
 TEST_CASE("nothing that rests on what a tool replaces survives it, and everything else does",
