@@ -79,7 +79,16 @@ void Datasets::declare_output() {
                            ? ""
                            : ". A dataset is NetCDF: name it FILE.nc, or without an extension"),
                   "Common");
-  if (writes_table_) options_.flag("--json", json_, "Print one JSON object instead of a table", "Common");
+  if (writes_table_) {
+    const Option json =
+        options_.flag("--json", json_, "Print one JSON object instead of a table", "Common");
+    options_
+        .choice("--table", table_, {"auto", "text", "tsv"},
+                "Form of a table; text: aligned and rounded, with errors behind ±; tsv: tab-separated, with all "
+                "digits, for programs; auto: text on a terminal, else tsv",
+                "Common")
+        .excludes(json);
+  }
   if (reports_)
     options_.text("--report", report_, "FILE.json", "Write residuals and other results as one JSON object",
                   "Common");

@@ -46,6 +46,7 @@ class Datasets {
   const std::string& output_name() const { return output_; }
   const InputFormat& format() const { return format_; }
   bool json() const { return json_; }
+  bool table_is_text() const { return table_ == "text" || (table_ == "auto" && output_is_terminal()); }
   bool output_is_terminal() const;
 
   /// Of a tool that writes a dataset or a table: which of them goes to --output in this run.
@@ -90,7 +91,7 @@ class Datasets {
   Options& options_;
   const Messages& messages_;
   RunSettings& settings_;
-  std::string input_ = "-", output_ = "-", report_;
+  std::string input_ = "-", output_ = "-", report_, table_ = "auto";
   struct Output {
     std::string option, name;
   };

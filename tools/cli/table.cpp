@@ -29,7 +29,7 @@ Json json_of(const Cell& cell) {
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
 
-constexpr std::size_t widest_table = 1000;  // line of a table on a terminal
+constexpr std::size_t widest_table = 1000;  // line of a text
 
 [[noreturn]] void refuse_result(const std::string& name, double number) {
   throw DataError(name, std::string("the result is ") + (std::isnan(number) ? "not a number" : "infinite") +
@@ -55,8 +55,10 @@ void put(const Tool& tool, const Rows& rows) {
   check_finite(rows);
   check_table_name(tool.output_name(), tool.json());
   tool.write_text(tool.json()                 ? with_warnings(as_json(rows), tool.warnings())
-                  : tool.output_is_terminal() ? aligned(rows, columns_of(STDOUT_FILENO, widest_table))
-                                              : as_tsv(rows));
+                  : tool.table_is_text()
+                      ? aligned(rows, tool.output_is_terminal() ? columns_of(STDOUT_FILENO, widest_table)
+                                                                : widest_table)
+                      : as_tsv(rows));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ from . import _data
 from .errors import ToolError, UsageError, brief
 
 PREFIX = "asperity-"
-NO_PARAMETERS = ("quiet", "json")  # notes are logged, and tables are read
+NO_PARAMETERS = ("quiet", "json", "table")  # notes are logged, and tables are read
 
 
 def program(name):
