@@ -1,12 +1,14 @@
 /// Stated against true errors of the grid: random contacts on n cells a side, and the same surface on 4n.
 ///
-///     contact_grid_error [SCENES [LARGEST_N [SEED [N]]]]
+///     contact_grid_error [SCENES [LARGEST_N [SEED [N [HARD]]]]]
 ///
 /// SCENES (252) of contact_grid_scenes.hpp, in turn on n = 64 to 512 cells; 4n is no more than LARGEST_N
-/// (2048). With N all scenes are on N cells a side. Scenes whose contact touches the edge of a free domain
-/// are drawn again.
+/// (2048). With N all scenes are on N cells a side. Then HARD scenes (0), on n = 48 to 128 cells, from
+/// SEED + 2; their truth is on 8n where n is 64 or less. Scenes that touch the edge of a free domain, and
+/// hard ones that the grid does not resolve, are drawn again.
 ///
-/// First table, by kind and figure; `all` scenes, and `fine` ones, on more than 128 cells a side:
+/// First table, by kind and figure; `all` scenes, `fine` ones of them, on more than 128 cells a side, and all
+/// `hard` ones:
 ///
 /// scenes        those that the grid resolves (stats/hybrid/slopes.hpp), and whose figure has an error
 /// unresolved    those it does not: they get none
@@ -42,14 +44,16 @@ namespace {
 using namespace grid_scenes;
 
 struct Solved {
+  Index times;  // as many cells a side
   Grid grid;
   Field gap;
   std::unique_ptr<ElasticOperator> influence;
   ContactParameters parameters;
   Contact contact;
 
-  Solved(const Scene& s, Index times)
-      : grid(s.grid(times)),
+  Solved(const Scene& s, Index cells)
+      : times(cells),
+        grid(s.grid(times)),
         gap(s.gap(times)),
         influence(make_influence(grid, modulus, 2)),
         parameters{.limit_pressure = s.limit, .tolerance = 1e-8, .stiffness = true, .threads = 2} {
@@ -73,10 +77,12 @@ struct Solved {
   }
 };
 
-LoadedBody loaded(const Grid& grid, const Contact& contact) { return {grid, contact.pressure, 0.3, {}}; }
+LoadedBody loaded(const Scene& scene, const Grid& grid, const Contact& contact) {
+  return {grid, contact.pressure, 0.3, {scene.friction, 0}};
+}
 
-StressMaximum largest_stress(const Grid& grid, const Contact& contact) {
-  return maximum_stress(StressSolver(loaded(grid, contact), 2));
+StressMaximum largest_stress(const Scene& scene, const Grid& grid, const Contact& contact) {
+  return maximum_stress(StressSolver(loaded(scene, grid, contact), 2));
 }
 
 // Of one figure in one scene.
@@ -144,6 +150,7 @@ class Page {
 
  private:
   static std::vector<const char*> groups(const Scene& scene) {
+    if (scene.kind >= first_hard) return {kinds[scene.kind], "hard"};
     std::vector<const char*> out{kinds[scene.kind], "all"};
     if (scene.shape.nx > 128) out.push_back("fine");
     return out;
@@ -162,8 +169,8 @@ void judge_ratios(Page& page, const Scene& scene, const Solved& here, const Solv
     GapRoughness gap;
     ContactRatios ratios;
   };
-  auto measured = [&](const Solved& s, Index times) {
-    const Field z = scene.heights(times);
+  auto measured = [&](const Solved& s) {
+    const Field z = scene.heights(s.times);
     const RmsSlope slope = rms_slope(z, s.grid);
     Measured out{{.rms_height = std::sqrt((z - z.mean()).square().mean()),
                   .rms_slope = slope.value,
@@ -173,8 +180,8 @@ void judge_ratios(Page& page, const Scene& scene, const Solved& here, const Solv
     out.ratios = contact_ratios(s.grid, flats, out.gap, scene.limit, s.contact, s.corrected());
     return out;
   };
-  const auto [gap, found] = measured(here, 1);
-  const auto [fine_gap, exact] = measured(truth, finer);
+  const auto [gap, found] = measured(here);
+  const auto [fine_gap, exact] = measured(truth);
   const ContactRatios e = ratio_errors(found, gap, here.contact, here.corrected(), errors,
                                        here.parameters.approach ? errors.load : 0);
   page.add(scene, "rms_slope", gap.rms_slope, fine_gap.rms_slope, gap.rms_slope_error);
@@ -183,15 +190,18 @@ void judge_ratios(Page& page, const Scene& scene, const Solved& here, const Solv
   page.add(scene, "reduced_gap", found.reduced_gap, exact.reduced_gap, e.reduced_gap);
 }
 
+bool resolved(const Scene& scene) {
+  return scene.rms == 0 || slope_growth(scene.gap(1), scene.grid(1)).resolved() != Resolved::no;
+}
+
 void judge(Page& page, const Scene& scene, const Solved& here) {
-  if (scene.rms > 0 && slope_growth(here.gap, here.grid).resolved() == Resolved::no)
-    return page.leave_out(scene);
+  if (!resolved(scene)) return page.leave_out(scene);
   const Contact& c = here.contact;
   const CoarserContacts coarser =
       coarser_contacts(here.grid, here.gap, *here.influence, c, here.parameters, scene.bodies);
   page.cost(scene, c.seconds, coarser.seconds);
   const GridErrors e = grid_errors(here.grid, c, coarser);
-  const Solved truth(scene, finer);
+  const Solved truth(scene, scene.kind >= first_hard && scene.shape.nx <= 64 ? 2 * finer : finer);
   const Contact& t = truth.contact;
   page.add(scene, "max_pressure", c.max_pressure, t.max_pressure,
            c.plastic_area > 0 && t.plastic_area > 0 ? NAN : e.max_pressure);
@@ -208,13 +218,27 @@ void judge(Page& page, const Scene& scene, const Solved& here) {
     page.add(scene, "plastic_work", plastic_work(here.grid, c, scene.limit),
              plastic_work(truth.grid, t, scene.limit), e.plastic_work);
   if (scene.rms > 0) judge_ratios(page, scene, here, truth, e);
-  const StressMaximum largest = largest_stress(here.grid, c), exact = largest_stress(truth.grid, t);
-  const StressMaximum of_stress = maximum_error(loaded(here.grid, c),
-                                                {largest, largest_stress(coarser.grid[0], coarser.contact[0]),
-                                                 largest_stress(coarser.grid[1], coarser.contact[1])},
-                                                {}, c.plastic_area > 0);
+  const StressMaximum largest = largest_stress(scene, here.grid, c),
+                      exact = largest_stress(scene, truth.grid, t);
+  const StressMaximum of_stress =
+      maximum_error(loaded(scene, here.grid, c),
+                    {largest, largest_stress(scene, coarser.grid[0], coarser.contact[0]),
+                     largest_stress(scene, coarser.grid[1], coarser.contact[1])},
+                    {}, c.plastic_area > 0);
   page.add(scene, "von_mises", largest.value, exact.value, of_stress.value);
   page.add(scene, "depth", largest.depth, exact.depth, of_stress.depth);
+}
+
+// Whether the scene counts; otherwise another is drawn.
+bool judged(Page& page, const Scene& scene) {
+  const bool hard = scene.kind >= first_hard;
+  if (hard && !resolved(scene)) return false;
+  const Solved here(scene, 1);
+  const double least = hard ? 25 : 50;  // cells in contact
+  if (!here.contact.converged || here.at_edge() || here.contact.area < least * here.grid.cell_area())
+    return false;
+  judge(page, scene, here);
+  return true;
 }
 
 }  // namespace
@@ -223,16 +247,16 @@ int main(int argc, char** argv) {
   print_conditions();
   const int scenes = argc > 1 ? std::atoi(argv[1]) : 252;
   const Index largest = argc > 2 ? std::atol(argv[2]) : 2048;
-  Draw draw(argc > 3 ? static_cast<std::uint64_t>(std::atol(argv[3])) : 1, argc > 4 ? std::atol(argv[4]) : 0);
+  const auto seed = argc > 3 ? static_cast<std::uint64_t>(std::atol(argv[3])) : 1;
+  const Index n = argc > 4 ? std::atol(argv[4]) : 0;
+  const int hard = argc > 5 ? std::atoi(argv[5]) : 0;
   Page page;
+  Draw draw(seed, n), of_hard(seed + 2, n);
   for (int k = 0; k < scenes; ++k)
-    for (int tries = 0; tries < 20; ++tries) {
-      const Scene scene = draw.scene(static_cast<std::size_t>(k), largest);
-      const Solved here(scene, 1);
-      if (!here.contact.converged || here.at_edge() || here.contact.area < 50 * here.grid.cell_area())
-        continue;
-      judge(page, scene, here);
-      break;
-    }
+    for (int tries = 0; tries < 20; ++tries)
+      if (judged(page, draw.scene(static_cast<std::size_t>(k), largest))) break;
+  for (int k = 0; k < hard; ++k)
+    for (int tries = 0; tries < 20; ++tries)
+      if (judged(page, of_hard.hard_scene(static_cast<std::size_t>(k)))) break;
   page.print();
 }
