@@ -19,12 +19,13 @@ namespace {
 constexpr double coarse_residual = 1e-6;  // ε of the coarser contacts; 1e-3 is too loose
 constexpr Index least_coarse_side = 12;   // cells of the coarsest grid
 constexpr double pressure_share = 1.0 / 3, plastic_share = 1.0 / 3, stiffness_share = 1.0 / 3;  // of m
-constexpr double peak_share = 1.5;        // of the rise of a parabola above the largest pressure
-constexpr double approach_share = 0.4;    // of the larger m, of approach and mean gap
-constexpr double load_share = 0.8;        // of m, under a prescribed approach
-constexpr double energy_share = 0.5;      // of m, under a load
-constexpr double ragged_share = 1.0 / 3;  // of the stiffness, times Outline::scatter over its cells
-constexpr double missed_cells = 0.10;     // of a cell a side of the area at the limit pressure
+constexpr double peak_share = 1.5;      // of the rise of a parabola above the largest pressure
+constexpr double approach_share = 0.4;  // of the larger m, of approach and mean gap
+constexpr double load_share = 0.8;      // of m, under a prescribed approach, and of the work of flattening
+constexpr double energy_share = 0.4;    // of m, under a load
+constexpr double work_share = 0.1;      // of the load times the m of the approach
+constexpr double ragged_share = 0.3;    // of the stiffness, times Outline::scatter over its cells
+constexpr double missed_cells = 0.10;   // of a cell a side of the area at the limit pressure
 
 // By how much the mean of the paraboloid over 2 × 2 cells exceeds its value in their middle.
 double datum_of_mean(const Grid& fine, const Bodies& bodies) {
@@ -55,10 +56,13 @@ double plastic_area_error(const Grid& grid, const Contact& contact, double m) {
   return missed + std::max(area_scatter(grid, around), plastic_share * m);
 }
 
-// That of cells in place of an outline scatters as the area does, whose root it follows.
-double stiffness_error(const Grid& grid, const Contact& contact, const Outline& around, double m) {
-  const double rough = ragged_share * around.scatter() * grid.cell_area() / contact.area;
-  return std::max(stiffness_share * m, rough * contact.stiffness);
+// (2)
+double stiffness_error(const Grid& grid, const Contact& contact, double m) {
+  const double free = contact.area - contact.plastic_area;
+  if (!(free > 0)) return stiffness_share * m;
+  const Outline around = outline(grid, contact, Contact::elastic, Contact::elastic);
+  const double ragged = ragged_share * around.scatter() * grid.cell_area() / free;
+  return std::max(stiffness_share * m, ragged * contact.stiffness);
 }
 
 // What the approach would be off by, times the stiffness: gap and load seldom are near zero together.
@@ -67,18 +71,21 @@ double load_error(const CoarserContacts& coarser, double m, double gaps) {
   return std::max(load_share * m, std::isfinite(stiffness) ? approach_share * gaps * stiffness : 0);
 }
 
-// What the one energy lacks, the other may have. Where a greater load did a part of the work of flattening
-// before, none is known.
-void set_energies(GridErrors& out, const Grid& grid, const Contact& contact, const CoarserContacts& coarser) {
+// Energies go with load times approach, and what the one lacks, the other may have. Where a greater load did
+// a part of the work of flattening before, none is known.
+void set_energies(GridErrors& out, const Grid& grid, const Contact& contact, const CoarserContacts& coarser,
+                  double apart) {
   auto m = [&](auto energy) {
     return grid_change(energy(grid, contact), energy(coarser.grid[0], coarser.contact[0]),
                        energy(coarser.grid[1], coarser.contact[1]));
   };
-  out.elastic_energy = (coarser.under_approach ? load_share : energy_share) * m(&elastic_energy);
+  out.elastic_energy = std::max((coarser.under_approach ? load_share : energy_share) * m(&elastic_energy),
+                                work_share * contact.load * apart);
   if (contact.flattening.size() > 0) return;
   const double moved =
       m([&](const Grid& g, const Contact& c) { return plastic_work(g, c, coarser.limit_pressure); });
-  out.plastic_work = std::isinf(coarser.limit_pressure) ? 0 : std::max(moved, out.elastic_energy);
+  out.plastic_work =
+      std::isinf(coarser.limit_pressure) ? 0 : std::max(load_share * moved, out.elastic_energy);
 }
 
 }  // namespace
@@ -136,7 +143,7 @@ GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserCo
     return grid_change(contact.*figure, coarser.contact[0].*figure, coarser.contact[1].*figure);
   };
   const Outline around = outline(grid, contact);
-  const double gaps = m(&Contact::mean_gap);
+  const double gaps = m(&Contact::mean_gap), apart = std::max(m(&Contact::approach), gaps);
   GridErrors out;
   out.max_pressure =
       std::max(pressure_share * m(&Contact::max_pressure),
@@ -144,15 +151,14 @@ GridErrors grid_errors(const Grid& grid, const Contact& contact, const CoarserCo
   out.area = area_excess(grid, around);
   out.area_corrected = corrected_area_error(grid, contact, around);
   out.plastic_area = plastic_area_error(grid, contact, m(&Contact::plastic_area));
-  out.stiffness = stiffness_error(grid, contact, around, m(&Contact::stiffness));
+  out.stiffness = stiffness_error(grid, contact, m(&Contact::stiffness));
   if (!coarser.under_approach) {
-    out.approach = approach_share * std::max(m(&Contact::approach), gaps);
-    out.mean_gap = out.approach;
+    out.approach = out.mean_gap = approach_share * apart;
   } else {
     out.load = load_error(coarser, m(&Contact::load), gaps);
     out.mean_gap = approach_share * gaps;
   }
-  set_energies(out, grid, contact, coarser);
+  set_energies(out, grid, contact, coarser, apart);
   return out;
 }
 

@@ -8,18 +8,25 @@
 ///     m = max(|v(n) - v(n/2)|, ¼ |v(n/2) - v(n/4)|)   (core/halved.hpp),                    (1)
 /// and each error is a share of m (contact/grid_error.cpp). An order is not fitted: the figures of a rough
 /// contact have none, and the first difference is near zero by accident. For the largest pressure the rise of
-/// the parabolas through it and its neighbours counts too; the areas have errors of their own outline, and
-/// the stiffness, with the root of the area, no less than a share of that scatter (contact/outline.hpp). The
-/// load under an approach has the m of the mean gap, too, times the stiffness; the work of flattening has
-/// the error of the elastic energy at the least. Approaches count from the paraboloid (3) of
-/// contact/bodies.hpp at the cells' centres, whose mean over 2 × 2 cells lies (Δx²/Rx + Δy²/Ry)/8 further
-/// apart; this is taken off.
+/// the parabolas through it and its neighbours counts too; the areas have errors of their own outline
+/// (contact/outline.hpp). The load under an approach has the m of the mean gap, too, times the stiffness; the
+/// elastic energy that of approach or gap, times the load; the work of flattening has the error of the
+/// elastic energy at the least. Approaches count from the paraboloid (3) of contact/bodies.hpp at the cells'
+/// centres, whose mean over 2 × 2 cells lies (Δx²/Rx + Δy²/Ry)/8 further apart; this is taken off.
+///
+/// The stiffness is that of a flat punch with the outline of the free cells, those in contact below the limit
+/// pressure (contact/stiffness.hpp). Cells at the limit bear no further load, so the punch has an inner
+/// outline around them, too. The area A_f of the free cells scatters by the root of the N sides of both, m
+/// symmetries counted, and the stiffness follows the area:
+///     error of the stiffness S   max(⅓ m, 0.3 √(N m)/A_f ΔxΔy S).                                    (2)
+/// A wide ring of free cells has nearly this error; a narrow one less, as the logarithm of its width.
 ///
 /// Symbols   v any figure   n cells along a side   Δx, Δy cell [m]   Rx, Ry radii of the gap [m]
 /// Scope     a surface that the grid resolves (stats/hybrid/slopes.hpp); another has no contact to
 ///           converge to. The contact lies inside its domain. Errors are about the surface between the
 ///           samples as its own band limit has it, not as it was before it was sampled.
-/// Accuracy  validation/contact_grid_error: how often the true error is within the stated one, by scene.
+/// Accuracy  validation/contact_grid_error: how often the true error is within the stated one, by scene. Of
+///           its hard scenes, held out when the shares were found: 96 to 100 % for every figure.
 /// Cost      a quarter of the contact, or a third.
 #pragma once
 

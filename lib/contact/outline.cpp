@@ -17,16 +17,19 @@ constexpr double bias = (std::numbers::pi - 1 + std::numbers::ln2) / 24;  // of 
 // The cells of the set.
 class Cells {
  public:
-  Cells(const Grid& grid, const Contact& contact, Contact::State least)
-      : grid_(grid), state_(contact.state), least_(least) {}
+  Cells(const Grid& grid, const Contact& contact, Contact::State least, Contact::State most)
+      : grid_(grid), state_(contact.state), least_(least), most_(most) {}
 
-  bool operator()(Index i, Index j) const { return state_[size(i * grid_.shape.ny + j)] >= least_; }
+  bool operator()(Index i, Index j) const {
+    const auto state = state_[size(i * grid_.shape.ny + j)];
+    return least_ <= state && state <= most_;
+  }
   bool around(Index i, Index j) const { return (*this)(i % grid_.shape.nx, j % grid_.shape.ny); }
 
  private:
   const Grid& grid_;
   const std::vector<std::int8_t>& state_;
-  Contact::State least_;
+  Contact::State least_, most_;
 };
 
 std::array<Extent, 2> box_of(const Grid& grid, const Cells& cells) {
@@ -210,8 +213,8 @@ class Finder {
 
 }  // namespace
 
-Outline outline(const Grid& grid, const Contact& contact, Contact::State least) {
-  const Cells cells(grid, contact, least);
+Outline outline(const Grid& grid, const Contact& contact, Contact::State least, Contact::State most) {
+  const Cells cells(grid, contact, least, most);
   const auto [nx, ny] = grid.shape;
   Outline out;
   for (Index i = 0; i < nx; ++i) {

@@ -53,9 +53,11 @@ struct Outline {
   }
 };
 
-/// Of the cells in this state or beyond: Contact::elastic for all in contact, Contact::plastic for those at
-/// the limit pressure. The edge of a free domain is no side.
-Outline outline(const Grid& grid, const Contact& contact, Contact::State least = Contact::elastic);
+/// Of the cells from one state to the other: by default all in contact, from Contact::plastic on those at the
+/// limit pressure, up to Contact::elastic those that carry a further load. The edge of a free domain is no
+/// side.
+Outline outline(const Grid& grid, const Contact& contact, Contact::State least = Contact::elastic,
+                Contact::State most = Contact::plastic);
 
 /// (1) [m²].
 double corrected_area(const Grid& grid, const Contact& contact, const Outline& outline,

@@ -71,7 +71,7 @@ TEST_CASE("under a prescribed approach the load has the error, and the datum of 
   CHECK(std::isnan(e.approach));
 }
 
-// One cell of four sides is carried into itself by eight symmetries: √(N m) = √32.
+// One free cell of four sides is carried into itself by eight symmetries: √(N m) = √32.
 TEST_CASE("where all grids tell the same load and stiffness, gap and outline still make errors",
           "[contact][exact]") {
   const Grid grid{{4, 4}, 1, 1};
@@ -85,9 +85,18 @@ TEST_CASE("where all grids tell the same load and stiffness, gap and outline sti
   coarser.under_approach = true;
   coarser.contact[0].mean_gap = coarser.contact[1].mean_gap = 2.5;
   CHECK(grid_errors(grid, fine, coarser).load == Approx(0.4 * 0.5 * 3));
-  CHECK(grid_errors(grid, fine, coarser).stiffness == Approx(std::sqrt(32) / 3 * 3));
+  CHECK(grid_errors(grid, fine, coarser).stiffness == Approx(0.3 * std::sqrt(32) * 3));
+  CHECK(grid_errors(grid, fine, coarser).elastic_energy == Approx(0.1 * 50 * 0.5));
   coarser.contact[0].stiffness = infinity;
   CHECK(grid_errors(grid, fine, coarser).load == 0);
+  // Beside it a cell at the limit pressure: the punch is the same, and so is its error.
+  coarser.contact = {fine, fine};
+  fine.state[6] = Contact::plastic, fine.area = 2, fine.plastic_area = 1;
+  CHECK(grid_errors(grid, fine, coarser).stiffness == Approx(0.3 * std::sqrt(32) * 3));
+  // Without a free cell there is no stiffness.
+  fine.state[5] = Contact::plastic, fine.plastic_area = 2, fine.stiffness = 0;
+  coarser.contact = {fine, fine};
+  CHECK(grid_errors(grid, fine, coarser).stiffness == 0);
 }
 
 TEST_CASE("a wavy periodic surface keeps within its stated errors on a grid four times finer",
