@@ -94,26 +94,34 @@ TEST_CASE("a sliding contact's largest stress at the edge lies within its error"
     }
 }
 
+// Cells 1 × 7 μm have h = √(50/2) = 5 μm: the maximum lies 1.5 h deep.
 TEST_CASE("near the surface of a contact at its limit pressure the error says so", "[stress][exact]") {
-  const LoadedBody body{{{64, 64}, 1e-6, 2e-6, true}, Field::Ones(64, 64), 0.3, {}};
-  const StressMaximum fine{1e9, 0, 0, 1.5e-6, 0}, half{1.1e9, 0, 0, 2e-6, 0}, far{1e9, 0, 0, 9e-6, 0};
+  const LoadedBody body{{{64, 64}, 1e-6, 7e-6, true}, Field::Ones(64, 64), 0.3, {}};
+  const StressMaximum fine{1e9, 0, 0, 7.5e-6, 0}, half{1.1e9, 0, 0, 10e-6, 0}, far{1e9, 0, 0, 45e-6, 0};
   const StressMaximum plain = maximum_error(body, {fine, half, half}, {}, false),
                       capped = maximum_error(body, {fine, half, half}, {}, true);
   CHECK(plain.value == Approx(0.28 * 0.1e9));
-  CHECK(plain.depth == Approx(0.275 * std::sqrt(1.5) * 0.5e-6));
+  CHECK(plain.depth == Approx(0.2 * std::sqrt(1.5) * 2.5e-6));
   CHECK(maximum_error(body, {fine, half, far}, {}, false).depth ==
-        Approx(0.275 * std::sqrt(1.5) * 0.1 * 7e-6));
+        Approx(0.2 * std::sqrt(1.5) * 0.1 * 35e-6));
   CHECK(capped.value == Approx(plain.value + 0.1e9));
-  CHECK(capped.depth == Approx(0.41 * std::sqrt(1.5) * 0.5e-6 + 1.5e-6));
-  // A maximum in the depth that all grids tell alike has the error of the search.
-  const StressMaximum deep{1e9, 0, 0, 1e-3, 0};
-  CHECK(maximum_error(body, {deep, deep, deep}, {}, false).value == Approx(2e-5 * 1e9));
-  CHECK(maximum_error(body, {deep, deep, deep}, {}, false).depth == Approx(5e-4 * 1e-3));
-  // Between the surface and the first layer, a quarter of a cell deep, nothing is looked at.
-  const StressMaximum top{1e9, 0, 0, 0, 0};
-  CHECK(maximum_error(body, {top, top, top}, {.below = 1e-9}, false).depth == Approx(0.25e-6));
-  // Level maxima still have the error of single cells.
-  CHECK(maximum_error(body, {fine, fine, fine}, {}, false).value == Approx(0.03 * 1e9 / (1.5 * 1.5)));
+  CHECK(capped.depth == Approx(0.4 * std::sqrt(1.5) * 2.5e-6 + 7.5e-6));
+}
+
+TEST_CASE("maxima that all grids tell alike have the errors of cells and of the search", "[stress][exact]") {
+  const LoadedBody body{{{64, 64}, 1e-6, 7e-6, true}, Field::Ones(64, 64), 0.3, {}};
+  auto error = [&](double depth) {
+    const StressMaximum level{1e9, 0, 0, depth, 0};
+    return maximum_error(body, {level, level, level}, {.below = 1e-9}, false);
+  };
+  CHECK(error(1e-3).value == Approx(2e-5 * 1e9));
+  CHECK(error(1e-3).depth == Approx(2e-4 * 1e-3));
+  CHECK(error(7.5e-6).value == Approx(0.03 * 1e9 / (1.5 * 1.5)));
+  CHECK(error(7.5e-6).depth == Approx(0.02 * 7.5e-6 / (1.5 * 1.5)));
+  CHECK(error(6e-6).depth == Approx(0.3 * 5e-6 * std::exp(-0.4 * std::numbers::pi)));
+  // Down to one cell the place is that of a cell.
+  CHECK(error(5e-6).depth == Approx(0.3 * 5e-6));
+  CHECK(error(0).depth == Approx(0.3 * 5e-6));
 }
 
 namespace {
