@@ -78,11 +78,12 @@ Specification carried(const Dataset& data, const Grid& grid) {
   return {.correlation = *rho, .sq = height ? std::sqrt(table(0, table.cols() / 2)) : NAN};
 }
 
-// As many as there is memory for, where each draws surfaces on a torus of up to twice the field's sides.
+// Of a surface that is drawn on a torus of up to twice its sides.
+double drawing_bytes(Shape shape) { return 110 * static_cast<double>(shape.cells()); }
+
+// As many as there is memory for.
 int threads_for(const cli::Tool& tool, const Grid& grid) {
-  constexpr double bytes_a_point = 110;
-  const double most =
-      static_cast<double>(tool.memory()) / (bytes_a_point * static_cast<double>(grid.shape.cells()));
+  const double most = static_cast<double>(tool.memory()) / drawing_bytes(grid.shape);
   return static_cast<int>(std::clamp(most, 1.0, static_cast<double>(tool.thread_count())));
 }
 
@@ -151,6 +152,9 @@ int validate(const cli::Tool& tool, Options& options) {
         add(tool, member.data, options.variable, *test);
       },
       {.on_one_grid = "the test"});
+  const Shape drawn = test->drawn_shape();
+  tool.require_memory(drawing_bytes(drawn), "memory", "simulating " + text(drawn) + " points",
+                      ": allow more, or cut the surfaces first (asperity-filter --crop)");
   const std::vector<TestResult> results = test->results();
   tool.note(counted(test->surfaces(), "surface") + ", " + counted(test->lags(), "lag") + ", errors from " +
             counted(test->drawn(), "simulated surface"));

@@ -11,9 +11,10 @@ namespace asperity {
 namespace {
 
 using Eigen::ArrayXd, Eigen::ArrayXXd;
+using RowArray = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double largest_power = 8;
-constexpr Eigen::Index ensembles = 800;
+constexpr Eigen::Index ensembles = 800, most_drawn = 400;
 
 double skewness(const ArrayXd& x) {
   const ArrayXd d = x - x.mean();
@@ -26,29 +27,23 @@ ArrayXd power(const ArrayXd& x, double lambda) {
   return ((lambda * x.log()).exp() - 1) / lambda;
 }
 
-struct Normal {
-  double mean, deviation, count;
-
-  static Normal of(const ArrayXd& x) { return {x.mean(), sample_deviation(x), double(x.size())}; }
-  /// (2), of a mean over so many.
-  double t(double value, double of) const {
-    return (value - mean) / (deviation * std::sqrt(1 / of + 1 / count));
-  }
-};
+// √m times the means of m rows.
+ArrayXXd drawn_means(const RowArray& rows, Eigen::Index m) {
+  std::mt19937_64 generator(1);
+  RowArray means = RowArray::Zero(ensembles, rows.cols());
+  for (auto mean : means.rowwise())
+    for (Eigen::Index i = 0; i < m; ++i)
+      mean += rows.row(static_cast<Eigen::Index>(generator() % static_cast<std::uint64_t>(rows.rows())));
+  return means / std::sqrt(static_cast<double>(m));
+}
 
 // (3), or of the mean over several surfaces.
 ArrayXd largest_simulated(const ArrayXXd& simulated, Eigen::Index surfaces) {
+  surfaces = std::min(surfaces, most_drawn);
   const double k = static_cast<double>(simulated.rows()), m = static_cast<double>(surfaces);
   ArrayXXd u = simulated.rowwise() - simulated.colwise().mean();
   u.rowwise() *= (k / u.square().colwise().sum()).sqrt();
-  if (surfaces > 1) {
-    std::mt19937_64 generator(1);
-    ArrayXXd means = ArrayXXd::Zero(ensembles, u.cols());
-    for (auto mean : means.rowwise())
-      for (Eigen::Index i = 0; i < surfaces; ++i)
-        mean += u.row(static_cast<Eigen::Index>(generator() % static_cast<std::uint64_t>(u.rows())));
-    u = means / std::sqrt(m);
-  }
+  if (surfaces > 1) u = drawn_means(u, surfaces);
   return (u.abs() * ((k - 2) / (k - 1 - u.square() / m).max(1e-9)).sqrt()).rowwise().maxCoeff();
 }
 
@@ -56,6 +51,20 @@ ArrayXd largest_simulated(const ArrayXXd& simulated, Eigen::Index surfaces) {
 
 double sample_deviation(const ArrayXd& x) {
   return std::sqrt((x - x.mean()).square().sum() / static_cast<double>(x.size() - 1));
+}
+
+bool Compared::known() const {
+  return simulated.isFinite().all() && observed.isFinite().all() && sample_deviation(simulated) > 0;
+}
+
+double Compared::expected() const {
+  const double mean = simulated.mean();
+  return knows_limit ? mean - (mean - limit) * (1 - 1 / worth) : mean;
+}
+
+double Compared::standard_error() const {
+  const auto k = static_cast<double>(simulated.size()), m = static_cast<double>(observed.size());
+  return sample_deviation(simulated) * std::sqrt(1 / (worth * m) + 1 / (knows_limit ? worth * worth * k : k));
 }
 
 NormalisingPower::NormalisingPower(const ArrayXd& simulated) : scale_(std::exp(simulated.log().mean())) {
@@ -71,24 +80,25 @@ double NormalisingPower::operator()(double x) const {
   return power(ArrayXd::Constant(1, end), lambda_)(0) + std::pow(end, lambda_) * std::log(x / scale_ / end);
 }
 
-double p_of_mean(const ArrayXd& simulated, const ArrayXd& observed) {
-  const double t = Normal::of(simulated).t(observed.mean(), static_cast<double>(observed.size()));
-  return 2 * student_tails(std::abs(t), static_cast<double>(simulated.size() - 1)).above;
+double p_of_mean(const Compared& quantity) {
+  return 2 * student_tails(std::abs(quantity.t()), static_cast<double>(quantity.simulated.size() - 1)).above;
 }
 
-double p_of_skewed_mean(const ArrayXd& simulated, const ArrayXd& observed) {
-  const NormalisingPower y(simulated);
-  return p_of_mean(y(simulated), y(observed));
+double p_of_skewed_mean(const Compared& quantity) {
+  return p_of_mean(quantity.mapped(NormalisingPower(quantity.simulated)));
 }
 
-SimulatedTogether::SimulatedTogether(const ArrayXXd& simulated, const ArrayXXd& observed)
-    : deviations_(simulated.cols()) {
-  const auto surfaces = static_cast<double>(observed.rows());
-  for (Eigen::Index i = 0; i < simulated.cols(); ++i)
-    deviations_(i) = Normal::of(simulated.col(i)).t(observed.col(i).mean(), surfaces);
-  const ArrayXd largest = largest_simulated(simulated, observed.rows());
-  const NormalisingPower y(largest);
-  const double t = Normal::of(y(largest)).t(y(deviations_.abs().maxCoeff()), 1);
+SimulatedTogether::SimulatedTogether(const std::vector<Compared>& quantities)
+    : deviations_(quantities.size()) {
+  ArrayXXd simulated(quantities.front().simulated.size(), deviations_.size());
+  double surfaces = 0;
+  for (Eigen::Index i = 0; const Compared& one : quantities) {
+    deviations_(i) = one.t(), simulated.col(i++) = one.simulated;
+    surfaces += one.worth * static_cast<double>(one.observed.size()) / static_cast<double>(quantities.size());
+  }
+  const ArrayXd largest = largest_simulated(simulated, std::lround(surfaces));
+  const ArrayXd found = ArrayXd::Constant(1, deviations_.abs().maxCoeff());
+  const double t = Compared{largest, found}.mapped(NormalisingPower(largest)).t();
   p_ = student_tails(t, static_cast<double>(simulated.rows() - 1)).above;
 }
 

@@ -6,7 +6,6 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "marginal/prescribed.hpp"
 #include "stats/hybrid/slopes.hpp"
 #include "stats/hybrid/summits.hpp"
 #include "stats/hypothesis/gaussianity.hpp"
@@ -24,6 +23,21 @@ Index stride(Index lags, Index most) { return (lags + most - 1) / most; }
 // R(h) at the lags that are tested needs no others.
 Shape longest_lag(const LagField& rho, const Grid& grid) {
   return {std::min(rho.max_p(), grid.shape.nx / 4), std::min(rho.max_q(), grid.shape.ny / 4)};
+}
+
+// Of the surfaces that are drawn: a part of the field that tells as much of its law, if there is one.
+Grid drawn_part(const LagField& rho, const Grid& grid) {
+  constexpr double independent = 500, points = 128 * 128, most = 0.5;
+  constexpr Index shortest = 64;
+  const auto cells = static_cast<double>(grid.shape.cells());
+  const double share = std::max(independent / EffectiveSampleSize(rho, grid).effective(2), points / cells);
+  const Shape far = reach_of({.grid = grid, .correlation = rho});
+  auto side = [&](Index n, Index lag) {
+    return std::min(n, fast_length(std::max({std::lround(std::sqrt(share) * double(n)), 4 * lag, shortest})));
+  };
+  Grid part = grid;
+  part.shape = {side(grid.shape.nx, far.nx), side(grid.shape.ny, far.ny)};
+  return static_cast<double>(part.shape.cells()) <= most * cells ? part : grid;
 }
 
 LagField without_rounding_at_zero(const LagField& acf, double step) {
@@ -82,32 +96,26 @@ void check(const Specification& asked) {
         "kurtosis", "'" + shortest(asked.sku) + "' is below 1 + skewness², the least of any distribution");
 }
 
-RandomFields fields_of(const Specification& asked, const Grid& grid) {
-  FieldModel model{.grid = grid, .correlation = asked.correlation};
-  if (asked.ssk != 0 || asked.sku != 3)
-    model.translation = PrescribedHeights{asked.ssk, asked.sku, InfeasiblePolicy::nearest}.translation();
-  return {model, asked.seed};
-}
-
 }  // namespace
 
 SpecificationTest::SpecificationTest(const Specification& asked, const Grid& grid)
-    : asked_(asked), grid_(grid) {
+    : asked_(asked), grid_(grid), part_(grid) {
   check(asked);
   asked_.correlation = asked.correlation.normalised();
   const LagField& rho = asked_.correlation;
   check_reach(grid);
-  stretch_.emplace(rho, grid, longest_lag(rho, grid));
+  part_ = drawn_part(rho, grid);
+  stretch_.emplace(rho, part_, longest_lag(rho, part_));
   choose_lags();
   for (const std::string& name : stretch_->names()) lengths_.push_back({.quantity = name, .prescribed = 1});
   square_ = expected_square(rho, grid);
   summits_ = tells_summits(rho, grid);
-  simulation_ = std::make_shared<Simulation>(Simulation{fields_of(asked_, grid)});
+  simulation_ = std::make_shared<Simulation>();
 }
 
 void SpecificationTest::choose_lags() {
   const LagField& rho = asked_.correlation;
-  const Shape most = longest_lag(rho, grid_);
+  const Shape most = longest_lag(rho, part_);
   const Index dp = stride(most.nx + 1, most_rows), dq = stride(2 * most.ny + 1, most_columns);
   for (Index p = 0; p <= most.nx; p += dp)
     for (Index q = p == 0 ? dq : -(most.ny / dq) * dq; q <= most.ny; q += dq)
@@ -133,19 +141,49 @@ Eigen::ArrayXd SpecificationTest::measured(const Field& z, const Pairs& pairs,
     throw DataError("heights", "they stand on steps of " + in_digits(step / rounded.sq, 3) +
                                    " Sq, which are too coarse for the tests");
   const LagField& rho = asked_.correlation;
-  LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = longest_lag(rho, grid_), .threads = threads});
+  LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = longest_lag(rho, part_), .threads = threads});
   if (step > 0) acf = without_rounding_at_zero(acf, step);
   Slopes slopes;
   if (std::isfinite(square_))
-    slopes = before_steps(slopes_of(z, grid_, threads), step, m.sq * m.sq, rho, grid_);
+    slopes = before_steps(slopes_of(z, pairs.grid(), threads), step, m.sq * m.sq, rho, grid_);
   Eigen::ArrayXd values(at_shapes + lags() + static_cast<Index>(stretches.size()));
-  values.head<at_shapes>() << acf(0, 0), m.ssk, m.sku, slopes.square, slopes.share;
-  Index i = at_shapes;
+  values << acf(0, 0), m.ssk, m.sku, slopes.square, slopes.share, shapes(acf, pairs, stretches);
+  return values;
+}
+
+Eigen::ArrayXd SpecificationTest::shapes(const LagField& acf, const Pairs& pairs,
+                                         const std::vector<LagField>& stretches) const {
+  Eigen::ArrayXd values(lags() + static_cast<Index>(stretches.size()));
+  Index i = 0;
   for (const TestResult& lag : lags_) {
     const bool counts = pairs.density(lag.lag_x, lag.lag_y) > least_density;
     values(i++) = counts ? acf(lag.lag_x, lag.lag_y) / acf(0, 0) : NAN;
   }
   for (const LagField& weights : stretches) values(i++) = LengthStretch::estimate(weights, acf) / acf(0, 0);
+  return values;
+}
+
+Eigen::ArrayXd SpecificationTest::limits(const RandomFields& fields) const {
+  const LagField rho = fields.correlation(longest_lag(asked_.correlation, part_));
+  const HeightMoments heights = fields.moments();
+  const std::vector<LagField> stretches = stretch_->weights(part_);
+  Eigen::ArrayXd values(at_shapes + lags() + static_cast<Index>(stretches.size()));
+  values << rho(0, 0), heights.skewness, heights.kurtosis, expected_square(rho, part_), NAN,
+      shapes(rho, part_, stretches);
+  return values;
+}
+
+Eigen::ArrayXd SpecificationTest::worth() const {
+  const LagField& rho = asked_.correlation;
+  const double patches =
+      EffectiveSampleSize(rho, grid_).effective(2) / EffectiveSampleSize(rho, part_).effective(2);
+  auto of_lag = [&](const TestResult& of) {
+    return patches * overlap(grid_, of.lag_x, of.lag_y) / overlap(part_, of.lag_x, of.lag_y);
+  };
+  const Eigen::ArrayXd of_stretches = stretch_->variances(part_) / stretch_->variances(grid_);
+  Eigen::ArrayXd values = Eigen::ArrayXd::Constant(at_shapes + lags() + of_stretches.size(), patches);
+  std::ranges::transform(lags_, values.begin() + at_shapes, of_lag);
+  values.tail(of_stretches.size()) = of_stretches;
   return values;
 }
 

@@ -15,6 +15,13 @@
 /// 100 at least; and four for each surface that is tested: their own error is half of that of its mean, for
 /// which Student's t allows.
 ///
+/// Of a large surface a part is drawn, if half of its points are enough: 500 independent points, 128 × 128
+/// points, and along a side 64 points and four times the reach of ρ (|ρ| > 0.001). The surface is worth as
+/// many parts as the ratio of N_eff; for R(h), times that of the overlaps at h; for a stretch, as the ratio
+/// of the variances (3) of stats/uncertainty/length_stretch.hpp. Its bias is smaller by as much. Limits of
+/// endless surfaces are those of the correlation and the translation that are drawn; that of summits is not
+/// known. Where more than 1 % of the points are missing, whole surfaces are drawn.
+///
 /// The p-values follow from stats/hypothesis/simulated_law.hpp: of Sq², Sdq², Sku and summits by a power of
 /// them, of Ssk by Ssk/√Sku, which hardly is skewed and varies less, of lags and stretches by the largest. If
 /// all lengths are wrong, each R(h) is by little; the stretches collect it. Sdq and summits rest on ρ at the
@@ -33,14 +40,14 @@
 /// Scope     N_eff = 5 and more. Drawn surfaces are translations; averages of skewed noise scatter less in
 ///           Sq, Ssk and Sku: of 300 such surfaces of skewness -0.6 and 0.5 0.3 and 0 % differed at 1 %, 3
 ///           and 0.3 % at 5 %.
-/// Lags      of the prescribed table up to a quarter of the field, thinned to at most 9 × 17 over the
+/// Lags      of the prescribed table up to a quarter of what is drawn, thinned to at most 9 × 17 over the
 ///           half-plane.
 /// Accuracy  docs/accuracy/asperity-validate.md. For the faults that are seen see
 ///           validation/prescription_power.
-/// Cost      A transform of the field and its inverse a surface, and for the drawn ones of 128 × 128 points
-///           0.2 s of a core, of 1024 × 1024 points 6 s; 60 ns a point and surface.
-/// Memory    one surface, its transform, and a table over the lags; while surfaces are drawn 70 bytes a point
-///           for each thread.
+/// Cost      A transform of the field and its inverse a surface, and 60 ns for each point of the drawn ones:
+///           0.2 s of a core for 128 × 128 points or parts; with many missing points 6 s for 1024 × 1024.
+/// Memory    one surface, its transform, and a table over the lags; while surfaces are drawn 70 to 110 bytes
+///           a point of these for each thread.
 #pragma once
 
 #include <cstdint>
@@ -51,6 +58,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "stats/hypothesis/simulated_law.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/length_stretch.hpp"
@@ -92,6 +100,8 @@ class SpecificationTest {
   int lags() const { return static_cast<int>(lags_.size()); }
   /// Simulated surfaces that the last results rest on.
   int drawn() const { return static_cast<int>(simulation_->values.rows()); }
+  /// Of those that results will rest on.
+  Shape drawn_shape() const { return draws_whole() ? grid_.shape : part_.shape; }
   /// Sq (where prescribed), Ssk, Sku, ACF, and the length, or ratio of lengths, that deviates most, where
   /// one surface tells a length from its double. Surfaces are drawn once for a test and its copies.
   std::vector<TestResult> results() const;
@@ -106,9 +116,9 @@ class SpecificationTest {
   };
   /// Surfaces as prescribed that miss these points.
   struct Simulation {
-    RandomFields fields;
     std::vector<Missing> missing = {};
-    Eigen::ArrayXXd values = {};  ///< as of `observed_`, one row a surface
+    Eigen::ArrayXXd values = {};             ///< as of `observed_`, one row a surface
+    Eigen::ArrayXd worth = {}, limits = {};  ///< of each quantity
   };
   void choose_lags();
   void check_reach(const Pairs& pairs) const;
@@ -119,12 +129,21 @@ class SpecificationTest {
   /// (stats/hypothesis/gaussianity.hpp).
   Eigen::ArrayXd measured(const Field& z, const Pairs& pairs, const std::vector<LagField>& stretches,
                           int threads, double step = 0) const;
+  Eigen::ArrayXd shapes(const LagField& acf, const Pairs& pairs,
+                        const std::vector<LagField>& stretches) const;
+  /// Of what is measured of endless surfaces; not of summits.
+  Eigen::ArrayXd limits(const RandomFields& fields) const;
+  /// Of a surface in surfaces of `part_`.
+  Eigen::ArrayXd worth() const;
   void count_missing(const Field& z);
-  const Eigen::ArrayXXd& simulated() const;
-  std::vector<TestResult> slopes(const Eigen::ArrayXXd& drawn, const Eigen::ArrayXXd& observed) const;
+  bool draws_whole() const;
+  const Simulation& simulated() const;
+  Compared compared(Index quantity) const;
+  Compared compared_square(Index quantity) const;  ///< per prescribed Sq²
+  std::vector<TestResult> slopes() const;
 
   Specification asked_;
-  Grid grid_;
+  Grid grid_, part_;  ///< of the surfaces that are tested, and of those drawn if few points are missing
   std::shared_ptr<Simulation> simulation_ = {};
   std::vector<Missing> missing_ = {};          ///< of the surfaces added
   std::vector<Eigen::ArrayXd> observed_ = {};  ///< the same

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "marginal/prescribed.hpp"
 #include "stats/hypothesis/simulated_law.hpp"
 #include "stats/hypothesis/specification.hpp"
 
@@ -13,61 +14,55 @@ namespace {
 using Eigen::ArrayXd, Eigen::ArrayXXd;
 
 constexpr Index simulated_a_surface = 4, fewest = 100, enough = 200;
-constexpr double enough_points = 5e7;          // beyond `fewest` surfaces
+constexpr double enough_points = 5e7;        // beyond `fewest` surfaces
 constexpr double most_error_of_share = 0.5;  // of summits; a few tell nothing
+constexpr double most_missing = 0.01;        // beyond it whole surfaces are drawn, with the same points
 
-ArrayXXd rows_of(const std::vector<ArrayXd>& surfaces) {
-  ArrayXXd out(surfaces.size(), surfaces.front().size());
-  for (Index m = 0; const ArrayXd& surface : surfaces) out.row(m++) = surface.transpose();
-  return out;
+RandomFields fields_of(const Specification& asked, const Grid& grid) {
+  FieldModel model{.grid = grid, .correlation = asked.correlation};
+  if (asked.ssk != 0 || asked.sku != 3)
+    model.translation = PrescribedHeights{asked.ssk, asked.sku, InfeasiblePolicy::nearest}.translation();
+  return {model, asked.seed};
 }
 
-// Of a mean over `observed`, against one over `simulated`.
-double standard_error(const ArrayXd& simulated, const ArrayXd& observed) {
-  return sample_deviation(simulated) *
-         std::sqrt(1 / static_cast<double>(observed.size()) + 1 / static_cast<double>(simulated.size()));
-}
-
-TestResult row(const std::string& name, double prescribed, const ArrayXd& simulated,
-               const ArrayXd& observed) {
+TestResult row(const std::string& name, double prescribed, const Compared& of) {
   TestResult out{.quantity = name, .prescribed = prescribed};
-  out.mean = prescribed + observed.mean() - simulated.mean();
-  out.standard_error = standard_error(simulated, observed);
+  out.mean = prescribed + of.observed.mean() - of.expected();
+  out.standard_error = of.standard_error();
   out.z = (out.mean - prescribed) / out.standard_error;
   return out;
 }
 
 // Of a positive square, which is tested; its root is reported. `expected` is that of a surface of Sq 1.
-TestResult row_of_square(const std::string& name, double prescribed, double expected,
-                         const ArrayXd& simulated, const ArrayXd& observed) {
-  TestResult out = row(name, 1, simulated / expected, observed / expected);
-  out.p = p_of_skewed_mean(simulated, observed);
-  out.mean = prescribed * std::sqrt(observed.mean() / simulated.mean());
+TestResult row_of_square(const std::string& name, double prescribed, double expected, const Compared& of) {
+  TestResult out = row(name, 1, of.mapped([=](double square) { return square / expected; }));
+  out.p = p_of_skewed_mean(of);
+  out.mean = prescribed * std::sqrt(of.observed.mean() / of.expected());
   out.prescribed = prescribed;
   out.standard_error *= prescribed / 2;
   return out;
 }
 
 // Without skewness, in any translation that was tried.
-ArrayXd ssk_over_root_of_sku(const ArrayXXd& values) { return values.col(1) / values.col(2).sqrt(); }
+Compared ssk_over_root_of_sku(const Compared& ssk, const Compared& sku) {
+  return {ssk.simulated / sku.simulated.sqrt(), ssk.observed / sku.observed.sqrt(), ssk.worth,
+          ssk.limit / std::sqrt(sku.limit)};
+}
 
 // Of those that all surfaces have.
-TestResult largest(const std::vector<TestResult>& each, const ArrayXXd& simulated, const ArrayXXd& observed) {
-  std::vector<Index> had;
-  for (Index i = 0; i < simulated.cols(); ++i)
-    if (simulated.col(i).isFinite().all() && observed.col(i).isFinite().all() &&
-        sample_deviation(simulated.col(i)) > 0)
-      had.push_back(i);
+TestResult largest(const std::vector<TestResult>& each, const auto& compared) {
+  std::vector<Compared> known;
+  std::vector<TestResult> rows;
+  for (Index i = 0; const TestResult& of : each)
+    if (const Compared one = compared(i++); one.known()) known.push_back(one), rows.push_back(of);
   TestResult out = each.front();
   out.mean = out.prescribed, out.p = 1;
-  if (had.empty()) return out;
-  const SimulatedTogether together(simulated(Eigen::all, had), observed(Eigen::all, had));
-  Index most = 0;
+  if (known.empty()) return out;
+  const SimulatedTogether together(known);
+  std::size_t most = 0;
   together.deviations().abs().maxCoeff(&most);
-  const Index i = had[static_cast<std::size_t>(most)];
-  const TestResult& of = each[static_cast<std::size_t>(i)];
-  out = row(of.quantity, of.prescribed, simulated.col(i), observed.col(i));
-  out.lag_x = of.lag_x, out.lag_y = of.lag_y;
+  out = row(rows[most].quantity, rows[most].prescribed, known[most]);
+  out.lag_x = rows[most].lag_x, out.lag_y = rows[most].lag_y;
   out.p = together.p();
   return out;
 }
@@ -94,24 +89,36 @@ void SpecificationTest::count_missing(const Field& z) {
     ++same->surfaces;
 }
 
-const Eigen::ArrayXXd& SpecificationTest::simulated() const {
+bool SpecificationTest::draws_whole() const {
+  return part_.shape == grid_.shape || std::ranges::any_of(missing_, [](const Missing& of) {
+           return static_cast<double>(std::ranges::count(of.points, true)) >
+                  most_missing * static_cast<double>(of.points.size());
+         });
+}
+
+const SpecificationTest::Simulation& SpecificationTest::simulated() const {
   Simulation& s = *simulation_;
-  if (s.missing == missing_) return s.values;
+  if (s.missing == missing_) return s;
+  const bool whole = draws_whole();
+  const Grid& grid = whole ? grid_ : part_;
+  const RandomFields fields = fields_of(asked_, grid);
   const auto least = static_cast<Index>(
-      std::clamp(enough_points / static_cast<double>(grid_.shape.cells()), double(fewest), double(enough)));
+      std::clamp(enough_points / static_cast<double>(grid.shape.cells()), double(fewest), double(enough)));
   const Index each = std::max(simulated_a_surface, (least + surfaces() - 1) / surfaces()),
               all = each * surfaces();
   s.values.resize(all, observed_.front().size());
+  s.limits = limits(fields);
+  s.worth = whole ? ArrayXd(ArrayXd::Ones(s.limits.size())) : worth();
   Index done = 0;
-  for (const Missing& of : missing_) {
-    const Field missing = of.field(grid_.shape);
-    const Pairs pairs = Pairs::of(missing, grid_, asked_.threads);
+  for (const Missing& of : whole ? missing_ : std::vector<Missing>{{{}, surfaces()}}) {
+    const Field missing = of.field(grid.shape);
+    const Pairs pairs = Pairs::of(missing, grid, asked_.threads);
     const std::vector<LagField> stretches = stretch_->weights(pairs);
     for (const Index end = done + each * of.surfaces; done < end;) {
       const Index count = std::min<Index>(std::max(1, asked_.threads), end - done);
       parallel_ranges(count, asked_.threads, [&](Index from, Index to, int) {
         for (Index k = done + from; k < done + to; ++k) {
-          const Field z = s.fields.heights(k) + missing;
+          const Field z = fields.heights(k) + missing;
           s.values.row(k) = measured(z, pairs, stretches, 1).transpose();
         }
       });
@@ -120,26 +127,34 @@ const Eigen::ArrayXXd& SpecificationTest::simulated() const {
     }
   }
   s.missing = missing_;
-  return s.values;
+  return s;
 }
 
-std::vector<TestResult> SpecificationTest::slopes(const ArrayXXd& drawn, const ArrayXXd& observed) const {
-  auto known = [&](Index column) {
-    return drawn.col(column).isFinite().all() && observed.col(column).isFinite().all() &&
-           sample_deviation(drawn.col(column)) > 0;
-  };
+Compared SpecificationTest::compared(Index quantity) const {
+  const Simulation& s = simulated();
+  const auto surface = [&](Index m) { return observed_[static_cast<std::size_t>(m)](quantity); };
+  return {s.values.col(quantity), ArrayXd::NullaryExpr(surfaces(), surface), s.worth(quantity),
+          s.limits(quantity)};
+}
+
+Compared SpecificationTest::compared_square(Index quantity) const {
+  Compared out = compared(quantity);
+  out.observed /= asked_.sq * asked_.sq;
+  return out;
+}
+
+std::vector<TestResult> SpecificationTest::slopes() const {
   std::vector<TestResult> out;
-  if (std::isfinite(asked_.sq) && known(at_sdq))
-    out.push_back(row_of_square("Sdq", asked_.sq * std::sqrt(square_), square_, drawn.col(at_sdq),
-                                observed.col(at_sdq) / (asked_.sq * asked_.sq)));
-  if (summits_ && known(at_summits)) {
+  if (const Compared square = compared_square(at_sdq); std::isfinite(asked_.sq) && square.known())
+    out.push_back(row_of_square("Sdq", asked_.sq * std::sqrt(square_), square_, square));
+  if (const Compared share = compared(at_summits); summits_ && share.known()) {
     const double half = 0.375 / static_cast<double>(grid_.shape.cells()),
                  area = grid_.cell_area();  // Anscombe's
-    const ArrayXd expected = drawn.col(at_summits), shares = observed.col(at_summits);
-    const TestResult summits = row("summit_density", expected.mean() / area, expected / area, shares / area);
+    const TestResult summits = row("summit_density", share.expected() / area,
+                                   share.mapped([=](double counted) { return counted / area; }));
     if (summits.standard_error < most_error_of_share * summits.prescribed) {
       out.push_back(summits);
-      out.back().p = p_of_skewed_mean(expected + half, shares + half);
+      out.back().p = p_of_skewed_mean(share.mapped([=](double counted) { return counted + half; }));
     }
   }
   return out;
@@ -147,22 +162,18 @@ std::vector<TestResult> SpecificationTest::slopes(const ArrayXXd& drawn, const A
 
 std::vector<TestResult> SpecificationTest::results() const {
   if (observed_.empty()) throw DataError("heights", "the ensemble has no surface");
-  const ArrayXXd &drawn = simulated(), observed = rows_of(observed_);
+  const Compared ssk = compared(at_ssk), sku = compared(at_sku);
   std::vector<TestResult> out;
   if (std::isfinite(asked_.sq))
-    out.push_back(row_of_square("Sq", asked_.sq, 1, drawn.col(at_variance),
-                                observed.col(at_variance) / (asked_.sq * asked_.sq)));
-  out.push_back(row("Ssk", asked_.ssk, drawn.col(at_ssk), observed.col(at_ssk)));
-  out.back().p = p_of_mean(ssk_over_root_of_sku(drawn), ssk_over_root_of_sku(observed));
-  out.push_back(row("Sku", asked_.sku, drawn.col(at_sku), observed.col(at_sku)));
-  out.back().p = p_of_skewed_mean(drawn.col(at_sku), observed.col(at_sku));
-  for (const TestResult& of_slopes : slopes(drawn, observed)) out.push_back(of_slopes);
-  const Index stretches = drawn.cols() - at_shapes - lags();
-  if (!lags_.empty())
-    out.push_back(
-        largest(lags_, drawn.middleCols(at_shapes, lags()), observed.middleCols(at_shapes, lags())));
-  if (stretches > 0)
-    out.push_back(largest(lengths_, drawn.rightCols(stretches), observed.rightCols(stretches)));
+    out.push_back(row_of_square("Sq", asked_.sq, 1, compared_square(at_variance)));
+  out.push_back(row("Ssk", asked_.ssk, ssk));
+  out.back().p = p_of_mean(ssk_over_root_of_sku(ssk, sku));
+  out.push_back(row("Sku", asked_.sku, sku));
+  out.back().p = p_of_skewed_mean(sku);
+  for (const TestResult& of_slopes : slopes()) out.push_back(of_slopes);
+  const auto from = [this](Index first) { return [=, this](Index i) { return compared(first + i); }; };
+  if (!lags_.empty()) out.push_back(largest(lags_, from(at_shapes)));
+  if (!lengths_.empty()) out.push_back(largest(lengths_, from(at_shapes + lags())));
   return out;
 }
 

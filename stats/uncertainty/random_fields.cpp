@@ -17,12 +17,7 @@ Index torus_length(Index n, bool periodic, Index reach) {
   return periodic ? n : fast_length(reach >= n ? 3 * n : n + reach);
 }
 Shape torus_of(const FieldModel& model) {
-  const LagField& rho = model.correlation;
-  Shape reach{0, 0};
-  for (Index p = 0; p <= rho.max_p(); ++p)
-    for (Index q = -rho.max_q(); q <= rho.max_q(); ++q)
-      if (std::abs(rho(p, q)) > model.negligible)
-        reach = {std::max(reach.nx, p), std::max(reach.ny, std::abs(q))};
+  const Shape reach = reach_of(model);
   const auto& [shape, dx, dy, periodic] = model.grid;
   return {torus_length(shape.nx, periodic.x, reach.nx + 1), torus_length(shape.ny, periodic.y, reach.ny + 1)};
 }
@@ -48,12 +43,22 @@ SpectralRoot root_on(Shape torus, const FieldModel& model) {
 
 }  // namespace
 
+Shape reach_of(const FieldModel& model) {
+  return model.correlation.mapped([&](double rho) { return std::abs(rho) > model.negligible ? rho : 0; })
+      .reach();
+}
+
 RandomFields::RandomFields(const FieldModel& model, std::uint64_t seed)
     : shape_(model.grid.shape),
       translation_(model.translation),
       seed_(seed),
       transform_(torus_of(model)),
       root_(root_on(transform_.shape(), model)) {}
+
+LagField RandomFields::correlation(Shape max_lag) const {
+  LagField rho = LagField(correlation_of(root_)).within(max_lag);
+  return translation_ ? rho.mapped(CorrelationMap(*translation_)) : rho;
+}
 
 Field RandomFields::heights(Index k) const {
   WhiteNoise noise(seed_, static_cast<std::uint64_t>(k));

@@ -31,12 +31,18 @@ struct FieldModel {
   double negligible = 1e-3;                     ///< the torus may end where the correlation is less
 };
 
+/// The longest lags at which it is more than negligible.
+Shape reach_of(const FieldModel& model);
+
 class RandomFields {
  public:
   RandomFields(const FieldModel& model, std::uint64_t seed);
 
   /// Field k, the same in any order and on any thread; of mean 0 and variance 1.
   Field heights(Index k) const;
+  /// Of all of them, at lags up to half the torus: `correlation` where a field has it.
+  LagField correlation(Shape max_lag) const;
+  HeightMoments moments() const { return translation_ ? height_moments(*translation_) : HeightMoments{}; }
 
  private:
   Shape shape_;

@@ -189,6 +189,12 @@ ArrayXd normals(Index count, unsigned seed) {
   return white_noise({1, count}, seed).reshaped<Eigen::RowMajor>();
 }
 
+SimulatedTogether all_of(const ArrayXXd& simulated, const ArrayXXd& observed) {
+  std::vector<Compared> each;
+  for (Index i = 0; i < simulated.cols(); ++i) each.push_back({simulated.col(i), observed.col(i)});
+  return SimulatedTogether(each);
+}
+
 }  // namespace
 
 // Skewness is odd: of values that are symmetric in ln x, √x or x² it vanishes at λ = 0, ½ and 2, and nowhere
@@ -206,8 +212,21 @@ TEST_CASE("the power without skewness is the one whose inverse made the values",
 TEST_CASE("a mean is compared by Student's t of both means", "[simulated-law][exact]") {
   ArrayXd simulated(3);
   simulated << -1, 0, 1;
-  CHECK(std::abs(p_of_mean(simulated, ArrayXd::Constant(1, 2)) - (1 - std::sqrt(3.0 / 5))) <= 1e-14);
-  CHECK(std::abs(p_of_mean(simulated, ArrayXd::Constant(3, -2)) - (1 - std::sqrt(6.0 / 8))) <= 1e-14);
+  CHECK(std::abs(p_of_mean({simulated, ArrayXd::Constant(1, 2)}) - (1 - std::sqrt(3.0 / 5))) <= 1e-14);
+  CHECK(std::abs(p_of_mean({simulated, ArrayXd::Constant(3, -2)}) - (1 - std::sqrt(6.0 / 8))) <= 1e-14);
+}
+
+// Of -1, 0, 1 against a limit of -1 and a worth of 4: the mean is to be -1 + (0 + 1)/4 and its error that of four, and
+// of twelve sixteen times as many simulated ones, √(1/4 + 1/48). Without a limit it is 0, and √(1/4 + 1/3).
+TEST_CASE("a surface that is worth several simulated ones has their bias and error over as many",
+          "[simulated-law][exact]") {
+  ArrayXd simulated(3);
+  simulated << -1, 0, 1;
+  const Compared known{simulated, ArrayXd::Constant(1, 2), 4, -1},
+      unknown{simulated, ArrayXd::Constant(1, 2), 4};
+  CHECK(std::abs(known.t() - 2.75 / std::sqrt(1.0 / 4 + 1.0 / 48)) <= 1e-14);
+  CHECK(std::abs(unknown.t() - 2 / std::sqrt(1.0 / 4 + 1.0 / 3)) <= 1e-14);
+  CHECK(std::abs(unknown.mapped([](double x) { return std::exp(x); }).limit - 1) <= 1e-14);
 }
 
 // A kurtosis that is as skewed as 1/x² of a normal has λ = -2: the power is below ½, whatever the value.
@@ -217,13 +236,13 @@ TEST_CASE("a value far beyond the simulated ones is as improbable as it is far",
   CHECK(NormalisingPower(simulated).lambda() < -1);
   double last = 1;
   for (const double far : {2.0, 4.0, 20.0, 1000.0}) {
-    const double p = p_of_skewed_mean(simulated, ArrayXd::Constant(1, far));
+    const double p = p_of_skewed_mean({simulated, ArrayXd::Constant(1, far)});
     CAPTURE(far, p);
     CHECK(p < last);
     last = p;
   }
   CHECK(last <= 1e-6);
-  CHECK(p_of_skewed_mean(simulated, ArrayXd::Constant(1, 1e-3)) <= 1e-6);
+  CHECK(p_of_skewed_mean({simulated, ArrayXd::Constant(1, 1e-3)}) <= 1e-6);
 }
 
 // Forty quantities of forty simulated surfaces, the first twenty hardly differing, and 60 sets of them; five surfaces
@@ -240,8 +259,8 @@ TEST_CASE("the largest of many is exceeded as often as stated, with forty simula
   int alone = 0, together = 0;
   for (unsigned set = 0; set < 60; ++set) {
     const ArrayXXd simulated = drawn(surfaces, 2 * set), observed = drawn(5, 2 * set + 1);
-    for (Index m = 0; m < 5; ++m) alone += SimulatedTogether(simulated, observed.row(m)).p() <= 0.05;
-    together += SimulatedTogether(simulated, observed).p() <= 0.05;
+    for (Index m = 0; m < 5; ++m) alone += all_of(simulated, observed.row(m)).p() <= 0.05;
+    together += all_of(simulated, observed).p() <= 0.05;
   }
   CAPTURE(alone, together);
   CHECK(alone <= 300 * (0.05 + 1.5 * 3 * std::sqrt(0.05 * 0.95 / 300)));
@@ -264,17 +283,17 @@ TEST_CASE("the simulated largest deviations are those of each surface against th
     others << x.head(k), x.tail(11 - k);
     largest(k) = t(others, x(k));
   }
-  const double value = 4, p = SimulatedTogether(x, ArrayXd::Constant(1, value)).p();
-  CHECK(p == Approx(p_of_skewed_mean(largest, ArrayXd::Constant(1, t(x, value))) / 2).epsilon(1e-4));
+  const double value = 4, p = all_of(x, ArrayXd::Constant(1, value)).p();
+  CHECK(p == Approx(p_of_skewed_mean({largest, ArrayXd::Constant(1, t(x, value))}) / 2).epsilon(1e-4));
 }
 
 TEST_CASE("the deviation of the quantity that strays is the largest, and its p-value small",
           "[simulated-law][law]") {
   const ArrayXXd simulated = normals(200 * 9, 3).reshaped(200, 9);
   ArrayXXd observed = ArrayXXd::Zero(1, 9);
-  CHECK(SimulatedTogether(simulated, observed).p() >= 0.5);
+  CHECK(all_of(simulated, observed).p() >= 0.5);
   observed(0, 4) = -7;
-  const SimulatedTogether strays(simulated, observed);
+  const SimulatedTogether strays = all_of(simulated, observed);
   Index most = 0;
   strays.deviations().abs().maxCoeff(&most);
   CHECK(most == 4);

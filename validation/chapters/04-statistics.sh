@@ -101,7 +101,7 @@ END
 table error_coverage@many-2
 text <<'END'
 False alarms of `asperity-validate`, in per cent, at a stated 1 and 5 %; errors come from surfaces
-that are drawn as prescribed:
+that are drawn as prescribed, for 256 × 256 points from parts of them:
 END
 table statistics_coverage-3
 # 1 + 4 √(1 · 99 / fields), 5 + 4 √(5 · 95 / fields) per cent.
