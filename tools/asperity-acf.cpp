@@ -199,6 +199,7 @@ void measure_several(cli::Tool& tool, const cli::FieldOptions& field, const Opti
     tool.note(
         "twins of the mean of several surfaces have Gaussian heights, unless asperity-generate --marginal "
         "says otherwise");
+  cli::tell_interval(tool, mean->surfaces(), PooledMaps::most_degrees);
   if (!what.result.dataset()) return cli::print(tool, cli::ensemble_table(lengths));
   Dataset data = mean->dataset();
   tool.write(data);

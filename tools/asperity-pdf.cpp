@@ -188,7 +188,9 @@ int main(int argc, char** argv) {
       "line over the normal quantile. Of a contact, the pressure is counted on the cells in contact and the "
       "gap on the open ones, without a Gaussian; share is that of all cells. For several surfaces, quantiles "
       "and densities are means over them, on bins or heights that all have in common, with the standard "
-      "error by their spread and the spread expected from the errors of the single surfaces.");
+      "error by their spread, of surfaces - 1 degrees of freedom of Student's t, and the spread expected "
+      "from "
+      "the errors of the single surfaces.");
   cli::EnsembleInput inputs;
   cli::FieldOptions options;
   Options what;

@@ -163,6 +163,7 @@ Dataset mean_psd(const cli::Tool& tool, const cli::FieldOptions& field, const Op
   write(out, "psd_error", psd.standard_error(), surface, "standard error of the mean power spectral density");
   describe(out, surface, what.windows(surface.grid));
   out.attributes.set("psd_surfaces", number);
+  cli::tell_interval(tool, number);
   return out;
 }
 

@@ -132,11 +132,15 @@ int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const 
       },
       {.variable = options.field.variable});
   warnings.print(tool);
+  const int surfaces_in_mean = mean.of_estimates().surfaces();
   if (first)
     cli::print(tool, cli::comparison_table(compared(*first, mean.of_estimates(), last)));
-  else
-    mean.of_estimates().surfaces() == 1 ? cli::print(tool, last)
-                                        : cli::print(tool, cli::ensemble_table(mean.pooled(grid)));
+  else if (surfaces_in_mean == 1)
+    cli::print(tool, last);
+  else {
+    cli::tell_interval(tool, surfaces_in_mean, PooledMaps::most_degrees);
+    cli::print(tool, cli::ensemble_table(mean.pooled(grid)));
+  }
   return cli::done;
 }
 

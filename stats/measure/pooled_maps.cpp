@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr int heights_of_map = 500, most_groups = 40;
+constexpr int heights_of_map = 500, most_groups = PooledMaps::most_degrees + 1;
 
 // Shares of the area that the classes of heights resolve, four of them from either end; extremes of single
 // maps are not of their pool.

@@ -84,6 +84,8 @@ struct PooledOptions {
 
 class PooledMaps {
  public:
+  static constexpr int most_degrees = 39;  ///< of freedom of the errors
+
   void add(MapSums map);
   int maps() const { return maps_; }
   /// Values and errors (3) of all that is pooled.

@@ -44,7 +44,7 @@ TEST_CASE("surfaces of different sizes are averaged with one warning, and not te
 TEST_CASE("surfaces of one grid, or of one but for six digits, are averaged without a word",
           "[ensemble][contract]") {
   const Outcome run = shell(draw("32x32", "640um", "a.nc") + draw("32x32", "640.0001um", "b.nc") +
-                            "asperity-stats a.nc b.nc");
+                            "asperity-stats -q a.nc b.nc");
   CHECK(run.exit == 0);
   CHECK(run.error.empty());
 }
@@ -87,7 +87,7 @@ TEST_CASE("of warnings that differ in numbers alone the first is printed, one mo
       "for k in 1 2 3; do asperity-generate -q --shape 48x48 --size 1mm --rq 0.4um --length 3px --seed $k | "
       "asperity-filter -q --outliers 2.$k --fill laplace -o filled_$k.nc; done");
   const auto warnings = [](const std::string& names) {
-    std::string out = shell("asperity-pdf " + names).error;
+    std::string out = shell("asperity-pdf -q " + names).error;
     for (std::size_t at = 0; (at = out.find_first_of("0123456789.", at)) != out.npos;)
       out.erase(at, 1);  // names and shares have such
     return out;

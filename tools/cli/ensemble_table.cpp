@@ -6,7 +6,10 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/catalogue.hpp"
+#include "stats/measure/pooled_maps.hpp"
+#include "stats/sample/quantiles.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -37,6 +40,15 @@ void append(Table& table, const Column& column, const Eigen::ArrayXd& values) {
 }
 
 }  // namespace
+
+void tell_interval(const Tool& tool, double surfaces, double most_degrees) {
+  if (!(surfaces >= 2)) return;
+  const double degrees = std::min(surfaces - 1, most_degrees);
+  tool.note(counted(std::lround(surfaces), "surface") + ": a 95 % interval is " +
+            in_digits(student_quantile(0.025, degrees), 3) +
+            " standard errors to either side, Student's t of " + counted(std::lround(degrees), "degree") +
+            " of freedom");
+}
 
 Table ensemble_table(const std::vector<EnsembleParameter>& parameters) {
   Table out{{{"quantity", ""},
@@ -179,6 +191,7 @@ void EnsembleTable::print(const Tool& tool, const Eigen::ArrayXd& pooled,
     auto& row = out.rows[static_cast<std::size_t>(i)];
     row[value] = pooled(i), row[value + 1] = errors(i);
   }
+  tell_interval(tool, surfaces_, pooled.size() > 0 ? PooledMaps::most_degrees : INFINITY);
   cli::print(tool, out);
 }
 
@@ -261,7 +274,7 @@ Eigen::ArrayXd errors_of(const Ensemble& ensemble, const std::vector<ResultColum
   return out;
 }
 
-Table table_of(const SurfaceRows& rows, const RowContent& content) {
+Table table_of(const Tool& tool, const SurfaceRows& rows, const RowContent& content) {
   const std::vector<ResultColumn> columns = result_columns(rows, content);
   Table out{{{"surface", ""}}, {}};
   for (const ResultColumn& c : columns) out.columns.push_back(c.column);
@@ -281,6 +294,8 @@ Table table_of(const SurfaceRows& rows, const RowContent& content) {
     if (row.results.converged) ensemble.add(averaged);
     add_row(row.surface, values);
   }
+  tell_interval(tool, static_cast<double>(std::ranges::count_if(
+                          rows, [](const SurfaceRow& row) { return row.results.converged; })));
   add_row("mean", ensemble.mean());
   add_row("standard_error", errors_of(ensemble, columns));
   return out;
@@ -297,7 +312,7 @@ int print_rows(const Tool& tool, EnsembleInput& surfaces, Several several, const
     return rows.back().results.code;
   };
   const int code = surfaces.for_each(tool, results_of_one, take, several);
-  print(tool, table_of(rows, content));
+  print(tool, table_of(tool, rows, content));
   return code;
 }
 

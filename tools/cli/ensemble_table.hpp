@@ -3,9 +3,11 @@
 ///
 /// For each value: the mean over the surfaces that have it, the standard error of this mean, the spread
 /// between surfaces, the spread expected from the errors of the single surfaces, and the number of surfaces
-/// (stats/sample/ensemble.hpp, stats/measure/ensemble_parameters.hpp).
+/// (stats/sample/ensemble.hpp, stats/measure/ensemble_parameters.hpp). A note says how many standard errors
+/// a 95 % interval has.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -18,6 +20,10 @@
 #include "tools/cli/table.hpp"
 
 namespace asperity::cli {
+
+/// Notes what a standard error of so many surfaces is worth: "4 surfaces: a 95 % interval is 3.18 standard
+/// errors to either side, Student's t of 3 degrees of freedom". Nothing of fewer than two.
+void tell_interval(const Tool& tool, double surfaces, double most_degrees = INFINITY);
 
 // ---- a row for each parameter ----
 
