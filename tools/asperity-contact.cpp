@@ -288,7 +288,7 @@ int main(int argc, char** argv) {
       "Presses two rough bodies together, elastic or elastic-perfectly plastic: pressure, gap, "
       "displacement and state of "
       "each cell, contact area and approach. Of several surfaces it prints a table: a row for each, "
-      "then the mean and its standard error by the spread between them, of surfaces - 1 degrees of freedom "
+      "then the mean, its standard error and the spread between them, of surfaces - 1 degrees of freedom "
       "of Student's t, and of shares such as percolates_x by Wilson's interval; with --sweep a row for each "
       "load, with means and standard errors. A surface that fails or does not converge is not in "
       "the mean.");

@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
       "asperity-stress",
       "Computes the elastic stress below a loaded surface: in layers, in a section, at points, "
       "and where it is largest. Of several surfaces --maximum prints a table: a row for each, then "
-      "the mean and its standard error by the spread between them, of surfaces - 1 degrees of freedom "
+      "the mean, its standard error and the spread between them, of surfaces - 1 degrees of freedom "
       "of Student's t; and --result maxima the mean at "
       "each depth.");
   cli::StressOptions options;

@@ -119,7 +119,7 @@ TEST_CASE("few independent heights are warned of once, and too few for errors ha
   CHECK_THAT(page.out, ContainsSubstring("is below 5"));
   CHECK_THAT(shell("cp one.nc two.nc; asperity-stats one.nc two.nc few.nc").error,
              ContainsSubstring("N_eff = "));
-  CHECK(lines(shell("asperity-stats one.nc two.nc few.nc").error) == 1);
+  CHECK(lines(shell("asperity-stats -q one.nc two.nc few.nc").error) == 1);
   CHECK_THAT(shell("asperity-validate one.nc").error, ContainsSubstring("N_eff = "));
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("a group that cannot be had leaves the others, and is refused where it
   CHECK(of_row["Sdq"]["value"].is_null());
   CHECK_THAT(of_row["Sdq"]["note"].get<std::string>(), ContainsSubstring("2 x 2"));
   CHECK(of_row["Std"]["value"].is_null());
-  const Outcome twice = shell("cp row.nc like.nc; asperity-stats row.nc like.nc --parameters height,hybrid");
+  const Outcome twice = shell("cp row.nc like.nc; asperity-stats -q row.nc like.nc --parameters height,hybrid");
   CHECK((twice.exit == 0 && twice.error == shell("asperity-stats row.nc --parameters height,hybrid").error));
   const Outcome alone = shell("asperity-stats row.nc --parameters hybrid");
   CHECK((alone.exit == 4 && lines(alone.error) == 1));

@@ -164,7 +164,7 @@ TEST_CASE("progress is a line that is wiped, on a terminal or by --progress alwa
        {draw + "--count 30 -o a_%d.nc", " of 30 surfaces"},
        {press + "s.nc -o a.nc", "64x48"},
        {press.substr(0, press.find("--load")) + "--sweep 2kN,5kN s.nc", " of 2 loads"},
-       {"asperity-stats s.nc p.nc", " of 2 surfaces"},
+       {"asperity-stats s.nc p.nc --compare", " of 2 surfaces"},
        {"asperity-stress smooth.nc --maximum -o a.nc", " layers searched"},
        {"asperity-stress smooth.nc --depths 0.2mm:1mm:30 -o a.nc", " of 30 layers"}}));
   CAPTURE(command);

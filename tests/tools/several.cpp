@@ -40,7 +40,7 @@ void check_rows(const std::string& command, char kind, const std::string& prefix
                 const std::vector<std::string>& names) {
   const Printed all = printed(command + "'" + kind + std::string("_?.nc'"));
   CHECK(all.rows == std::vector<std::string>{member(kind, 0), member(kind, 1), member(kind, 2), "mean",
-                                             "standard_error"});
+                                             "standard_error", "spread"});
   for (std::size_t k = 0; k < members; ++k) {
     const Attributes own = attributes_of(command + member(kind, k));
     for (const std::string& name : names) {
@@ -52,6 +52,8 @@ void check_rows(const std::string& command, char kind, const std::string& prefix
     CAPTURE(name);
     const auto& column = all[name];
     check_mean(column[members], column[members + 1], {column[0], column[1], column[2]});
+    const double spread = std::sqrt(members) * column[members + 1];
+    CHECK(std::abs(column[members + 2] - spread) <= 4 * epsilon * spread);
   }
 }
 
@@ -171,7 +173,7 @@ TEST_CASE("a surface without a stress is a row without numbers, and warnings are
   CHECK(std::isnan(all["max_von_mises"][1]));
   CHECK(all["max_von_mises"][4] == three["max_von_mises"][3]);
   // Maxima near the surface of so few cells are doubted, for all of them in two lines.
-  const Outcome shallow = shell("asperity-stress --maximum 'p_?.nc'");
+  const Outcome shallow = shell("asperity-stress -q --maximum 'p_?.nc'");
   CHECK(lines(shallow.error) == 2);
   CHECK_THAT(shallow.error,
              ContainsSubstring("2 more surfaces, up to p_3.nc: the largest von Mises stress lies"));

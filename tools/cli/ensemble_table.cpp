@@ -298,6 +298,7 @@ Table table_of(const Tool& tool, const SurfaceRows& rows, const RowContent& cont
                           rows, [](const SurfaceRow& row) { return row.results.converged; })));
   add_row("mean", ensemble.mean());
   add_row("standard_error", errors_of(ensemble, columns));
+  add_row("spread", ensemble.spread());
   return out;
 }
 

@@ -123,9 +123,10 @@ struct SurfaceResults {
   int code = done;
 };
 
-/// Prints a row for each of several surfaces, then rows "mean" and "standard_error", by the spread between
-/// the converged surfaces; of a share, whose spread may be 0, by Wilson's interval. One that fails as
-/// `several` allows is a row of unknown numbers. Returns the worst exit code.
+/// Prints a row for each of several surfaces, then rows "mean", "standard_error" and "spread", the standard
+/// deviation between the converged surfaces, from which the error is; of a share, whose spread may be 0, the
+/// error is by Wilson's interval. One that fails as `several` allows is a row of unknown numbers. Returns the
+/// worst exit code.
 int print_rows(const Tool& tool, EnsembleInput& surfaces, Several several, const RowContent& content,
                const std::function<SurfaceResults(EnsembleMember&&)>& results_of_one);
 
