@@ -107,14 +107,15 @@ class OneTable(support.TestCase):
                     self.assert_known(tool, name.lstrip("-"), parameters)
 
     def assert_known(self, tool, option, parameters):
-        left_out = ("h", "help", "man", "completion", "describe", "version", "dump-config", "quiet", "json")
+        left_out = ("h", "help", "man", "completion", "describe", "version", "dump-config", "quiet", "json",
+                    "table")
         self.assertEqual(_options.python_name(option) in parameters, option not in left_out, f"{tool} --{option}")
 
     def test_documentation_has_the_text_of_each_option_and_the_unit_of_a_number(self):
         text = asp.contact.__doc__
         about = json.loads(shell("asperity-contact --describe")[0])
         for option in about["options"]:
-            if option["names"] and not option["prints"] and option["name"] not in ("quiet", "json"):
+            if option["names"] and not option["prints"] and option["name"] not in ("quiet", "json", "table"):
                 self.assertIn(option["text"], text)
         self.assertIn("load : QUANTITY, a number of asperity.si is in N\n", text)
         self.assertIn("yield_ : QUANTITY, a number of asperity.si is in Pa\n", text)
