@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/halved.hpp"
 #include "core/stopwatch.hpp"
+#include "core/words.hpp"
 
 namespace asperity {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 // cent of scenes.
 constexpr double coarse_residual = 1e-6;  // ε of the coarser contacts; 1e-3 is too loose
 constexpr Index least_coarse_side = 12;   // cells of the coarsest grid
+constexpr Index least_cells = 8;          // in contact: of fewer, one pressure in three is off by more
 constexpr double pressure_share = 1.0 / 3, plastic_share = 1.0 / 3, stiffness_share = 1.0 / 3;  // of m
 constexpr double peak_share = 1.5;      // of the rise of a parabola above the largest pressure
 constexpr double approach_share = 0.4;  // of the larger m, of approach and mean gap
@@ -103,6 +105,10 @@ CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, 
   if (!has_coarser_contacts(grid.shape)) {
     out.unknown = fmt::format("{} cells: both sides must be multiples of 4, of {} cells at least",
                               text(grid.shape), 4 * least_coarse_side);
+    return out;
+  }
+  if (const Index touching = (contact.pressure > 0).count(); touching < least_cells) {
+    out.unknown = fmt::format("{} in contact, and errors need {}: refine the grid", counted(touching, "cell"), least_cells);
     return out;
   }
   const Stopwatch watch;

@@ -131,15 +131,18 @@ TEST_CASE("a grid without coarser ones, or bodies that do not touch there, are t
   const CoarserContacts none = coarser_contacts(odd, gap, *influence, contact, parameters, spheres);
   CHECK(none.unknown == "50x50 cells: both sides must be multiples of 4, of 48 cells at least");
   CHECK(std::isnan(grid_errors(odd, contact, none).max_pressure));
-  // One cell stands out; its mean with three others does not reach the other body.
+  // Single cells stand out; the mean of one with three others does not reach the other body.
   const Grid grid = square(64);
-  Field spike = Field::Constant(64, 64, 10e-6);
-  spike(20, 20) = 0;
   const auto body = make_influence(grid, modulus);
   const ContactParameters sunk{.approach = 1e-6};
-  const Contact touching = solve_contact(grid, spike, *body, sunk);
-  CHECK(
-      coarser_contacts(grid, spike, *body, touching, sunk, Bodies{}).unknown.starts_with("on 32x32 cells, "));
+  auto unknown_of = [&](Index spikes) {
+    Field gaps = Field::Constant(64, 64, 10e-6);
+    for (Index k = 0; k < spikes; ++k) gaps(20, 6 * k) = 0;
+    const Contact touching = solve_contact(grid, gaps, *body, sunk);
+    return coarser_contacts(grid, gaps, *body, touching, sunk, Bodies{}).unknown;
+  };
+  CHECK(unknown_of(7) == "7 cells in contact, and errors need 8: refine the grid");
+  CHECK(unknown_of(8).starts_with("on 32x32 cells, "));
 }
 
 TEST_CASE("halved fields are means of four, an odd line left out", "[contact][exact]") {
