@@ -27,8 +27,8 @@
 ///           samples as its own band limit has it, not as it was before it was sampled.
 /// Accuracy  validation/contact_grid_error: how often the true error is within the stated one, by scene. Of
 ///           its hard scenes, held out when the shares were found: 96 to 100 % for every figure. Spheres on
-///           8 to 40 cells the same. On 1 to 7 cells the largest pressure would lie within its error in 2 of 3
-///           scenes: there are none.
+///           8 to 40 cells the same. On 1 to 7 cells the largest pressure would be in 2 of 3 scenes: none
+///           are told.
 /// Cost      a quarter of the contact, or a third.
 #pragma once
 
