@@ -37,14 +37,16 @@ ArrayXXd drawn_means(const RowArray& rows, Eigen::Index m) {
   return means / std::sqrt(static_cast<double>(m));
 }
 
-// (3), or of the mean over several surfaces.
+// (3), or (5) of the mean over several surfaces.
 ArrayXd largest_simulated(const ArrayXXd& simulated, Eigen::Index surfaces) {
   surfaces = std::min(surfaces, most_drawn);
   const double k = static_cast<double>(simulated.rows()), m = static_cast<double>(surfaces);
   ArrayXXd u = simulated.rowwise() - simulated.colwise().mean();
   u.rowwise() *= (k / u.square().colwise().sum()).sqrt();
   if (surfaces > 1) u = drawn_means(u, surfaces);
-  return (u.abs() * ((k - 2) / (k - 1 - u.square() / m).max(1e-9)).sqrt()).rowwise().maxCoeff();
+  const ArrayXXd of_others = ((k - 2) / (k - 1 - u.square() / m).max(1e-9)).sqrt(),
+                 of_student = 1 + (1 - 1 / m) * (u.square() + 1) / (4 * (k - 1));
+  return (u.abs() * of_others * of_student).rowwise().maxCoeff();
 }
 
 }  // namespace

@@ -12,9 +12,11 @@
 /// Of quantities that are tested together, t is that of each without a power, and the largest |t| counts.
 /// Its simulated values are, for M = 1, those of each simulated surface against the others,
 ///     t_k² = u² (K-2)/(K-1-u²),    u = (x_k - x̄)/s √(K/(K-1)),                                          (3)
-/// for more of them those of 800 ensembles drawn from the K surfaces with repetition; the observed one is
-/// compared with these by (1) and (2), M = 1. No skewness, correlation or number of the quantities is
-/// needed.
+/// for more of them those of 800 ensembles of mean u drawn from the K surfaces with repetition, whose
+/// deviation is that of the K exactly, and not estimated,
+///     t = √M u √((K-2)/(K-1-u²)) [1 + (1 - 1/M) (M u² + 1)/(4 (K-1))];                                 (5)
+/// the observed one is compared with these by (1) and (2), M = 1. No skewness, correlation or number of the
+/// quantities is needed.
 ///
 /// Simulated surfaces may be smaller than observed ones, of which each is worth w of them: it has their bias
 /// and their variance over w. With y_∞ the limit of endless surfaces, in place of (2)
@@ -29,8 +31,8 @@
 ///           5, 4.5 and 8, N_eff 36 to 1270. Of ensembles of 4 and 12: 3.9 to 5.2 % and 0.7 to 1.2 % (a
 ///           prototype in another language).
 ///
-/// G. E. P. Box, D. R. Cox, J. R. Stat. Soc. B 26 (1964) 211-252; B. Efron, R. J. Tibshirani, An Introduction
-/// to the Bootstrap, Chapman & Hall 1993.
+/// R. A. Fisher, Metron 5 (1925) 109-112, for (5); G. E. P. Box, D. R. Cox, J. R. Stat. Soc. B 26 (1964)
+/// 211-252; B. Efron, R. J. Tibshirani, An Introduction to the Bootstrap, Chapman & Hall 1993.
 #pragma once
 
 #include <cmath>
