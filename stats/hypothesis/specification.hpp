@@ -32,7 +32,8 @@
 /// By Bonferroni over the K quantities, the surfaces differ if the least p is below significance/K.
 ///
 /// Of heights on steps Sdq is left out where steps exceed 1.5 rms differences of neighbours, summits where
-/// one in a thousand is a plateau. Surfaces may miss different points. A lag counts if all surfaces have a
+/// one in a thousand is a plateau; both where no surface of the table can be drawn, as of few lags across a
+/// strip, to 1 % of (1). Surfaces may miss different points. A lag counts if all surfaces have a
 /// tenth of its pairs or more.
 ///
 /// Symbols   ρ  correlation    σ  rms height [m]    R  autocorrelation [m²]    Δx, Δy  spacings [m]

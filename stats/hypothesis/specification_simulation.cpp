@@ -14,9 +14,10 @@ namespace {
 using Eigen::ArrayXd, Eigen::ArrayXXd;
 
 constexpr Index simulated_a_surface = 4, fewest = 100, enough = 200;
-constexpr double enough_points = 5e7;        // beyond `fewest` surfaces
-constexpr double most_error_of_share = 0.5;  // of summits; a few tell nothing
-constexpr double most_missing = 0.01;        // beyond it whole surfaces are drawn, with the same points
+constexpr double enough_points = 5e7;          // beyond `fewest` surfaces
+constexpr double most_error_of_share = 0.5;    // of summits; a few tell nothing
+constexpr double most_error_of_square = 0.01;  // of Sdq² that is drawn; beyond it short waves are added
+constexpr double most_missing = 0.01;          // beyond it whole surfaces are drawn, with the same points
 
 RandomFields fields_of(const Specification& asked, const Grid& grid) {
   FieldModel model{.grid = grid, .correlation = asked.correlation};
@@ -145,6 +146,7 @@ Compared SpecificationTest::compared_square(Index quantity) const {
 
 std::vector<TestResult> SpecificationTest::slopes() const {
   std::vector<TestResult> out;
+  if (std::abs(simulated().limits(at_sdq) / square_ - 1) > most_error_of_square) return out;
   if (const Compared square = compared_square(at_sdq); std::isfinite(asked_.sq) && square.known())
     out.push_back(row_of_square("Sdq", asked_.sq * std::sqrt(square_), square_, square));
   if (const Compared share = compared(at_summits); summits_ && share.known()) {
