@@ -109,9 +109,9 @@ Parameters measured(const Field& heights, int degree, bool spectra) {
     auto add_lag = [&](const char* name, double value, double error, const Interval& interval) {
       out.push_back({fmt::format("{}_x_{}", name, lag), value, "1", error, "", interval});
     };
-    const double S = structure(lag, 0), half = errors.quantile * errors.structure(lag);
+    const double S = structure(lag, 0);
     add_lag("acf", acf.rho(lag, 0), errors.acf(lag), errors.interval(acf.rho(lag, 0), lag));
-    add_lag("structure", S, errors.structure(lag), Interval::about(S, half));
+    add_lag("structure", S, errors.structure(lag), errors.structure_interval(S, lag));
   }
   if (spectra) std::ranges::copy(spectrum_points(sample), std::back_inserter(out));
   return out;

@@ -10,7 +10,7 @@
 /// count is √(0.05 · 0.95 / FIELDS), 1.1 % for 400.
 ///
 /// Second table: the same of Sal and of the lengths along x at 1/e and 10 %
-/// (stats/uncertainty/length_interval.hpp), and how many of these intervals lie wholly below and above the
+/// (stats/measure/acf_estimate.hpp), and how many of these intervals lie wholly below and above the
 /// truth.
 ///
 /// Third table: surfaces, or ensembles of them, that are as prescribed and yet fail at a stated 1 and 5 %, in
@@ -152,10 +152,10 @@ void length_coverage(const char* field, const Grid& grid, Index width, const Lag
       const LengthErrors of(estimate, remove_form(z), 0.1);
       auto along_x = [&](double level) {
         const auto at = first_crossing(estimate.rho, grid, 0, level);
-        return at ? *of.along(0, level, at->lag).interval : Interval();
+        return at ? of.along(0, level, at->lag).interval.value_or(Interval()) : Interval();
       };
-      const auto fastest = central_lobe(estimate.rho, grid).r_min;
-      held[which][0].add(fastest ? *of.r_min(0.2, *fastest).interval : Interval(), truth.sal);
+      const auto fastest = of.lobe(0.2).r_min;
+      held[which][0].add(fastest ? fastest->interval.value_or(Interval()) : Interval(), truth.sal);
       held[which][1].add(along_x(1 / std::numbers::e), truth.at_e);
       held[which][2].add(along_x(0.1), truth.at_tenth);
     }

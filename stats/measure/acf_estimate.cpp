@@ -6,12 +6,13 @@
 #include <numbers>
 #include <utility>
 
+#include "core/words.hpp"
 #include "stats/measure/groups.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr double unlimited = AcfDeviations::beyond;
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 // The first rows of lags, as many as lengths at a level and above are found in; all, if some are not found.
 LagField lags_of_lengths(const LagField& rho, const Grid& grid, double level,
@@ -53,21 +54,20 @@ void add_lengths(ParameterList& out, const LagField& rho, const Grid& grid, cons
   const auto x = along("x", 0), y = along("y", std::numbers::pi / 2);
   if (direction) along("direction", *direction);
   if (x && y) {
-    auto ratio = [&](const LagField& r) -> std::optional<double> {
+    auto ratio = [&](const LagField& r) {
       const auto over = first_crossing(r, grid, 0, level.value),
                  under = first_crossing(r, grid, std::numbers::pi / 2, level.value);
-      if (!over && !under) return std::nullopt;
+      if (!over && !under) return unknown;
       if (!over || !under) return over ? 0 : unlimited;
       return over->lag / under->lag;
     };
     out.add(prefix + "gamma_" + level.tag, "1", "ratio of lengths, x over y",
-            errors ? errors->ratio(*x / *y, ratio, 0, unlimited) : Estimate{*x / *y},
+            errors ? errors->figure(*x / *y, ratio, 0, unlimited) : Estimate{*x / *y},
             {.why_no_error = errors ? no_level : ""});
   }
-  if (const auto ellipse = central_lobe(rho, grid, level.value).ellipse) {
-    const std::string name = prefix + "ellipticity_" + level.tag;
-    add_ellipse(out, *ellipse, grid, level.value, level.text, {name, name + "_direction"}, errors);
-  }
+  const std::string name = prefix + "ellipticity_" + level.tag;
+  add_ellipse(out, errors ? errors->lobe(level.value) : lobe_estimates(rho, grid, level.value), level.text,
+              {name, name + "_direction"}, errors != nullptr);
 }
 
 }  // namespace
@@ -83,26 +83,14 @@ Shape lags_about(const LagField& rho, const Grid& grid, double level) {
   return {far(c, s, grid.dx, rho.max_p()), far(s, c, grid.dy, rho.max_q())};
 }
 
-void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
-                 const std::string& level_text, const std::array<std::string, 2>& names,
-                 const LengthErrors* errors) {
-  const auto gamma = [=](const LagField& rho) -> std::optional<double> {
-    const auto found = central_lobe(rho, grid, level).ellipse;
-    return found ? found->gamma() : unlimited;
-  };
-  const auto axis = [=](const LagField& rho) -> std::optional<double> {
-    const auto found = central_lobe(rho, grid, level).ellipse;
-    return found ? std::optional(found->major.angle) : std::nullopt;
-  };
-  const Estimate ratio =
-      errors ? errors->ratio(ellipse.gamma(), gamma, 1, unlimited) : Estimate{ellipse.gamma()};
-  out.add(names[0], "1", "ellipticity of the ACF contour at {}, long over short axis", ratio,
-          {.meaning = level_text, .why_no_error = errors ? no_level : ""});
-  constexpr double round_off = 1e-9;
-  if (ellipse.gamma() <= 1 + round_off) return;  // a circle
-  out.add(names[1], "rad", "direction of the long axis of that contour, from +x towards +y",
-          errors ? errors->axis(ellipse.major.angle, axis, ratio) : Estimate{ellipse.major.angle},
-          {.why_no_error = errors ? no_direction : ""});
+void add_ellipse(ParameterList& out, const LobeEstimates& lobe, const std::string& level_text,
+                 const std::array<std::string, 2>& names, bool with_errors) {
+  if (!lobe.gamma) return;
+  out.add(names[0], "1", "ellipticity of the ACF contour at {}, long over short axis", *lobe.gamma,
+          {.meaning = level_text, .why_no_error = with_errors ? no_level : ""});
+  if (lobe.gamma_axis)
+    out.add(names[1], "rad", "direction of the long axis of that contour, from +x towards +y",
+            *lobe.gamma_axis);
 }
 
 AcfEstimate::AcfEstimate(const LagField& acf, const ErrorBasis& of_errors, bool divided_by_all)
@@ -164,59 +152,165 @@ ProfileErrors profile_errors(const AcfEstimate& estimate, const Field& heights, 
   return out;
 }
 
+// ---- errors of lengths ----
+
 LengthErrors::LengthErrors(const AcfEstimate& estimate, const Field& heights, double least_level, int threads)
     : grid_(estimate.grid()),
       threads_(threads),
       deviations_(deviations_of(
           estimate, waves_of(estimate, heights, lags_about(estimate.rho, grid_, least_level), threads))),
       rho_(estimate.rho.within(deviations_.max_lag())),
-      intervals_(rho_, grid_, deviations_, estimate.size.freed(rho_)) {}
+      freed_(estimate.size.freed(rho_)),
+      texture_(texture_direction(heights, grid_, threads)) {}
 
-Estimate LengthErrors::length(double found, const AcfDeviations::Figure& figure,
-                              const Interval& interval) const {
-  return {found, deviations_.relative(rho_, figure, threads_).error * found, interval};
-}
+namespace {
 
-Estimate LengthErrors::along(double angle, double level, double found) const {
-  auto length_of = [&](const LagField& rho) -> std::optional<double> {
-    const auto crossing = first_crossing(rho, grid_, angle, level);
-    return crossing ? std::optional(crossing->lag) : std::nullopt;
-  };
-  return length(found, length_of, intervals_.along(angle, level));
-}
-
-Estimate LengthErrors::extreme(double level, const Reach& reach, Extreme which,
-                               const Interval& interval) const {
-  auto length_of = [&](const LagField& rho) -> std::optional<double> {
-    const auto found = central_lobe(rho, grid_, level).*which;
-    return found ? std::optional(found->length) : std::nullopt;
-  };
-  return length(reach.length, length_of, interval);
-}
-
-Estimate LengthErrors::r_min(double level, const Reach& reach) const {
-  return extreme(level, reach, &CentralLobe::r_min, intervals_.r_min(level));
-}
-Estimate LengthErrors::r_max(double level, const Reach& reach) const {
-  return extreme(level, reach, &CentralLobe::r_max, intervals_.r_max(level));
-}
-
-Estimate LengthErrors::ratio(double value, const AcfDeviations::Figure& figure, double least,
-                             double most) const {
-  const LagField& freed = intervals_.freed();
-  const auto [error, bias, falls, rises] = deviations_.relative(freed, figure, threads_);
+// Figure i of ρ', with the interval about it less its bias.
+Estimate estimate_of(double value, const FigureDeviations& freed, Index i, double least, double most) {
+  const auto [error, bias, falls, rises] = freed.relative(i);
   if (std::isnan(error)) return {value};
-  const double half = deviations_.quantile(0.025) * error, centre = *figure(freed) * std::exp(-bias),
+  const double half = freed.quantile(0.025) * error, centre = freed(i) * std::exp(-bias),
                low = falls ? least : std::max(least, centre * std::exp(-half)),
                high = rises ? most : std::min(most, centre * std::exp(half));
   return {value, value * error, Interval::of(value, std::min(low, value), std::max(high, value))};
 }
 
-Estimate LengthErrors::axis(double angle, const AcfDeviations::Figure& figure, const Estimate& aspect,
-                            double resolution) const {
-  if (!aspect.interval || !(aspect.interval->low > 1 || aspect.interval->high < 1)) return {angle};
-  const double error = std::hypot(deviations_.of_axis(rho_, figure, threads_), resolution / std::sqrt(12));
-  return {angle, error, Interval::about(angle, deviations_.quantile(0.025) * error)};
+}  // namespace
+
+Estimate LengthErrors::figure(double value, const Figure& of, double least, double most) const {
+  const auto figures = [&](const LagField& rho) { return Eigen::ArrayXd::Constant(1, of(rho)).eval(); };
+  return estimate_of(value, deviations_.of(freed_, figures, threads_), 0, least, most);
+}
+
+Estimate LengthErrors::along(double angle, double level, double found) const {
+  const auto length = [&](const LagField& rho) {
+    const auto crossing = first_crossing(rho, grid_, angle, level);
+    return crossing ? crossing->lag : unlimited;
+  };
+  return figure(found, length, 0, unlimited);
+}
+
+// ---- the central lobe ----
+
+namespace {
+
+constexpr double rarely = 0.05;
+
+enum LobeFigure {
+  of_r_min,
+  of_r_max,
+  of_aspect,
+  of_gamma,
+  of_radius,
+  at_r_min,
+  at_r_max,
+  at_gamma,
+  of_anisotropy
+};
+
+Eigen::ArrayXd figures_of(const CentralLobe& lobe) {
+  auto angle = [](const auto& reach) { return reach ? reach->angle : unknown; };
+  auto length = [](const auto& reach) { return reach ? reach->length : unlimited; };
+  const auto& ellipse = lobe.ellipse;
+  Eigen::ArrayXd out(10);
+  out << length(lobe.r_min), length(lobe.r_max),
+      lobe.r_min && !lobe.r_max ? 0 : lobe.aspect_ratio().value_or(unknown),
+      ellipse ? ellipse->gamma() : unlimited,
+      ellipse ? std::sqrt(ellipse->major.length * ellipse->minor) : unlimited, angle(lobe.r_min),
+      angle(lobe.r_max), ellipse ? ellipse->major.angle : unknown,
+      lobe.anisotropy.value_or(Eigen::Vector2d::Constant(unknown));
+  return out;
+}
+
+// The interval with this value too.
+void hold(std::optional<Estimate>& of, double value) {
+  if (!of || !of->interval || !of->interval->known()) return;
+  const double low = of->interval->low, high = of->interval->high;
+  of->interval = Interval::of(of->value, std::min(low, value), std::max(high, value));
+}
+
+// Of a circle the extremes vary as the length of a vector of two chances does, not as one of them.
+void set_error_of_circle(std::optional<Estimate>& of, double of_radius) {
+  const double rayleigh = std::sqrt(2 - std::numbers::pi / 2);
+  if (!of) return;
+  const double common = of_radius * of->value, rest = std::pow(of->standard_error, 2) - common * common;
+  of->standard_error = std::hypot(common, rayleigh * std::sqrt(std::max(rest, 0.0)));
+}
+
+// "two lays or more, near -12 deg and 80 deg", at right angles to their waves.
+std::string two_lays(const TextureDirection& texture) {
+  auto lay = [](double angle) {
+    const double across = std::round((angle + std::numbers::pi / 2) * 180 / std::numbers::pi);
+    return across > 90 ? across - 180 : across;
+  };
+  const auto [one, other] = std::minmax({lay(texture.angle), lay(*texture.other)});
+  return "two lays or more, near " + shortest(one) + " deg and " + shortest(other) + " deg";
+}
+
+// The contour is interpolated between lags, to h²/(8 r) (acf_length.hpp): ε of (6) to 1 - ε² of h²/(8 r²).
+bool is_directed(const FigureDeviations& freed, double between_lags) {
+  constexpr double least = 1e-3;
+  const double square = std::pow(freed(of_anisotropy), 2) + std::pow(freed(of_anisotropy + 1), 2),
+               interpolated = (1 - square) * between_lags * between_lags / 8;
+  return freed.chance_of_pair(of_anisotropy, std::pow(std::max(interpolated, least), 2)) < rarely;
+}
+
+constexpr const char* no_direction = "no direction is preferred: the contour may be a circle";
+
+}  // namespace
+
+LobeEstimates lobe_estimates(const LagField& rho, const Grid& grid, double level) {
+  const CentralLobe lobe = central_lobe(rho, grid, level);
+  LobeEstimates out;
+  if (lobe.r_min) out.r_min = {lobe.r_min->length}, out.r_min_axis = {lobe.r_min->angle};
+  if (lobe.r_max) out.r_max = {lobe.r_max->length}, out.r_max_axis = {lobe.r_max->angle};
+  if (const auto aspect = lobe.aspect_ratio()) out.aspect_ratio = {*aspect};
+  if (!lobe.ellipse) return out;
+  out.gamma = {lobe.ellipse->gamma()};
+  constexpr double round_off = 1e-9;
+  if (out.gamma->value > 1 + round_off) out.gamma_axis = {lobe.ellipse->major.angle};
+  return out;
+}
+
+LobeEstimates LengthErrors::lobe(double level) const {
+  LobeEstimates out = lobe_estimates(rho_, grid_, level);
+  const FigureDeviations freed = deviations_.of(
+      freed_, [&](const LagField& rho) { return figures_of(central_lobe(rho, grid_, level)); }, threads_);
+  const double spacing = std::max(grid_.dx, grid_.dy);
+  auto between_lags = [&](const auto& length) { return length ? spacing / length->value : 0; };
+  const std::string why = texture_.other                                ? two_lays(texture_)
+                          : is_directed(freed, between_lags(out.r_min)) ? ""
+                                                                        : no_direction;
+  auto set_axis = [&](std::optional<Estimate>& of, double error, double resolution) {
+    if (!of) return;
+    const double both = std::hypot(error, resolution / std::sqrt(12)), half = freed.quantile(0.025) * both;
+    of = why.empty() && !std::isnan(both)
+             ? Estimate{of->value, both, Interval::about(of->value, half)}
+             : Estimate{.value = unknown, .why = "no value: " + (why.empty() ? no_direction : why)};
+  };
+  set_axis(out.r_min_axis, freed.of_axis(at_r_min), between_lags(out.r_min));
+  set_axis(out.r_max_axis, freed.of_axis(at_r_max), between_lags(out.r_max));
+  set_axis(out.gamma_axis, freed.of_axis(at_gamma), 0);
+  set_axis(out.texture = Estimate{texture_.angle}, texture_.error, 0);
+  auto set = [&](std::optional<Estimate>& of, Index i, double least, double most) {
+    if (of) of = estimate_of(of->value, freed, i, least, most);
+  };
+  set(out.r_min, of_r_min, 0, unlimited);
+  if (texture_.other) {
+    for (auto* of : {&out.r_max, &out.aspect_ratio, &out.gamma})
+      if (*of) (*of)->why = "no error: " + why;
+    return out;
+  }
+  set(out.r_max, of_r_max, 0, unlimited);
+  set(out.aspect_ratio, of_aspect, 0, 1), set(out.gamma, of_gamma, 1, unlimited);
+  if (why.empty()) return out;
+  hold(out.aspect_ratio, 1), hold(out.gamma, 1);
+  set_error_of_circle(out.aspect_ratio, 0), set_error_of_circle(out.gamma, 0);
+  const Estimate radius = estimate_of(freed(of_radius), freed, of_radius, 0, unlimited);
+  if (!radius.interval) return out;
+  set_error_of_circle(out.r_max, radius.standard_error / radius.value);
+  hold(out.r_min, radius.interval->high), hold(out.r_max, radius.interval->low);
+  return out;
 }
 
 namespace {

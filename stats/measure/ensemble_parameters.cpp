@@ -83,7 +83,7 @@ void take_pooled(std::vector<EnsembleParameter>& means, const Parameters& pooled
   for (EnsembleParameter& mean : means) {
     const auto found = std::ranges::find(pooled, mean.name, &Parameter::name);
     if (keeps_bias(mean.name)) mean.standard_error = unknown;
-    if (found == pooled.end() || !std::isfinite(found->value)) continue;
+    if (found == pooled.end() || (!std::isfinite(found->value) && found->unit != "rad")) continue;
     mean.mean = found->value, mean.surfaces = maps;
     if (!keeps_bias(mean.name)) mean.standard_error = found->standard_error;
   }

@@ -71,13 +71,9 @@ class ParameterList {
 /// Why a length, or a ratio of two, has no error.
 inline constexpr const char* no_level =
     "no error: the true ACF, without the field's own mean subtracted, may not fall that far within the lags";
-/// Why the direction of a contour has no error.
-inline constexpr const char* no_direction = "no direction is preferred: the contour may be a circle";
-
 /// The ellipticity of the contour at a level and, unless it is a circle, its direction, by these names.
-void add_ellipse(ParameterList& out, const LobeEllipse& ellipse, const Grid& grid, double level,
-                 const std::string& level_text, const std::array<std::string, 2>& names,
-                 const LengthErrors* errors);
+void add_ellipse(ParameterList& out, const LobeEstimates& lobe, const std::string& level_text,
+                 const std::array<std::string, 2>& names, bool with_errors);
 
 Parameters height_parameters(const Sample& sample, const MeasureOptions&);
 Parameters quantiles(const Sample& sample, const MeasureOptions& options);

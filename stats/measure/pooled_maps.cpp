@@ -25,6 +25,14 @@ bool is_mean_of_derivatives(const std::string& name) {
          name == "peak_curvature";
 }
 
+// Extremes over the directions of a noisy contour: the bounds that the bias leads away from.
+std::optional<std::pair<double, double>> bounds_of_extreme(const std::string& name) {
+  if (name == "Sal" || name == "slowest_decay") return {{0, INFINITY}};
+  if (name == "Str") return {{0, 1}};
+  if (name == "gamma" || name.starts_with("ellipticity_")) return {{1, INFINITY}};
+  return {};
+}
+
 void add_row(Parameters& out, const std::string& name, double value) {
   out.push_back({name, value, "", unknown, ""});
 }
@@ -193,7 +201,16 @@ Parameters PooledMaps::all(const PooledOptions& options) const {
   // One that no map moves, such as a direction between few lags, is known to the lags only.
   const Eigen::ArrayXd errors =
       (apart.count() == n && apart.spread() > 0).select(apart.spread() * ((n - 1) / std::sqrt(n)), unknown);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i].standard_error = errors(static_cast<Index>(i));
+  const Eigen::ArrayXd bias = (n - 1) * apart.mean();
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    Parameter& p = out[i];
+    p.standard_error = errors(static_cast<Index>(i));
+    const double freed = p.value - bias(static_cast<Index>(i));
+    if (const auto bounds = bounds_of_extreme(p.name); bounds && std::isfinite(freed))
+      p.value = std::clamp(freed, bounds->first, bounds->second);
+    constexpr double any = std::numbers::pi / 8;  // of a random axis the error is π/√12
+    if (p.unit == "rad" && p.standard_error > any) p.value = p.standard_error = unknown;
+  }
   return out;
 }
 

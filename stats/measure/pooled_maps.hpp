@@ -13,8 +13,11 @@
 /// means. Errors are those of the jackknife over the maps left out one by one,
 ///     SE² = (n-1)/n Σ (T_(i) - T̄)²,                                                                    (3)
 /// with n - 1 degrees of freedom of Student's t. More than 40 maps are left out in 40 groups, with 39. Sal,
-/// the slowest decay and Str are extremes over the directions of a noisy contour and keep a bias of several
-/// errors: they have none, nor have their directions.
+/// the slowest decay, Str and ellipticities are extremes over directions of a noisy contour. The jackknife
+/// takes their bias of order 1/n,
+///     T - (n-1) (T̄ - T),                                                                               (4)
+/// and half of that of a circle, which is of order 1/√n. The first three still keep one of an error or more:
+/// they have none. A direction whose error exceeds π/8, as by chance, is none.
 ///
 /// Symbols   R  autocovariance [m²]      T, T_(i)  a parameter, and that without map i
 /// Scope     maps of one spacing, of any size; each counts alike. Other parameters stay means of estimates.
@@ -28,8 +31,11 @@
 ///             Spk   -7.6, 62 → -0.5, 92   -3.0, 78 → -0.1, 100  -6.5, 72 → 2.3, 100
 ///             Vvv   -6.1, 50 → 1.1, 98    -2.5, 76 → 0.0, 90    -6.2, 58 → 1.0, 94
 ///             length_e_x  -8.1, 12 → 0.7, 94   -3.9, 84 → 0.6, 96
-///             Sal   -19, 0 → -3           -20, 4 → -6           -33, 0 → -3
-///             Str   -21, 0 → -8           -33, 0 → -13          -40, 0 → -22
+///             Sal   -19, 0 → -3           -20, 4 → -6           -33, 0 → -3       before (4)
+///             Str   -21, 0 → -8           -33, 0 → -13          -40, 0 → -22      before (4)
+///           Of 40 ensembles of 12 maps of 64 × 64 points, isotropic, with a known mean, exponential and
+///           Gaussian of length 4, (4) makes Sal -4.4 → -2.8 and -2.7 → -1.6 %, Str -10 → -7 and -6 → -3 %,
+///           gamma 10 → 7 and 6 → 3 %.
 /// Memory    500 heights a map, and 40 tables of lags to twice those about the ACF's central lobe.
 ///
 /// M. H. Quenouille, Biometrika 43 (1956) 353-360; J. W. Tukey, Ann. Math. Statist. 29 (1958) 614.

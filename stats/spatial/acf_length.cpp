@@ -70,8 +70,8 @@ Reach reach(const Eigen::Vector2d& point) {
   return {point.norm(), axis_angle(std::atan2(point.y(), point.x()))};
 }
 
-// (5) on points in units of `scale`.
-std::optional<LobeEllipse> fitted_ellipse(const std::vector<Eigen::Vector2d>& points, double scale) {
+// [A B; B C] of (5) on points in units of `scale`.
+Eigen::Matrix2d fitted_form(const std::vector<Eigen::Vector2d>& points, double scale) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (const Eigen::Vector2d& point : points) {
@@ -81,9 +81,14 @@ std::optional<LobeEllipse> fitted_ellipse(const std::vector<Eigen::Vector2d>& po
     right += row;
   }
   const Eigen::Vector3d form = solve(normal, right);
-  const double middle = 0.5 * (form[0] + form[2]), spread = std::hypot(0.5 * (form[0] - form[2]), form[1]);
+  return (Eigen::Matrix2d() << form[0], form[1], form[1], form[2]).finished();
+}
+
+// None if the form is no ellipse.
+std::optional<LobeEllipse> ellipse_of(const Eigen::Matrix2d& form, double scale) {
+  const double middle = 0.5 * form.trace(), spread = std::hypot(0.5 * (form(0, 0) - form(1, 1)), form(0, 1));
   if (!(middle - spread > 0)) return std::nullopt;
-  const double across = 0.5 * std::atan2(2 * form[1], form[0] - form[2]);
+  const double across = 0.5 * std::atan2(2 * form(0, 1), form(0, 0) - form(1, 1));
   return LobeEllipse{{scale / std::sqrt(middle - spread), axis_angle(across + std::numbers::pi / 2)},
                      scale / std::sqrt(middle + spread)};
 }
@@ -124,13 +129,6 @@ std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, do
   return Crossing{crossing->lag * step, crossing->slope / step};
 }
 
-Shape nearest_lag(const Grid& grid, double angle, double length) {
-  const double along_x = std::cos(angle) / grid.dx, along_y = std::sin(angle) / grid.dy;
-  const Shape lag{std::lround(length * along_x), std::lround(length * along_y)};
-  if (lag != Shape{0, 0}) return lag;
-  return std::abs(along_x) >= std::abs(along_y) ? Shape{1, 0} : Shape{0, 1};
-}
-
 CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level) {
   if (!(level > 0 && level < 1))
     throw ParameterError("sal-level", "'" + shortest(level) + "' is not a number between 0 and 1");
@@ -142,9 +140,12 @@ CentralLobe central_lobe(const LagField& rho, const Grid& grid, double level) {
   const double edge =
       std::min(static_cast<double>(rho.max_p()) * grid.dx, static_cast<double>(rho.max_q()) * grid.dy);
   if (!contour.open || nearest->norm() <= edge) out.r_min = reach(*nearest);
+  const double scale = nearest->norm();
+  const Eigen::Matrix2d form = fitted_form(contour.points, scale);
+  out.anisotropy = Eigen::Vector2d(form(1, 1) - form(0, 0), -2 * form(0, 1)) / form.trace();
   if (contour.open) return out;
   out.r_max = reach(*farthest);
-  out.ellipse = fitted_ellipse(contour.points, nearest->norm());
+  out.ellipse = ellipse_of(form, scale);
   return out;
 }
 

@@ -19,7 +19,10 @@
 /// and the ellipse
 ///     A x² + 2B xy + C y² = 1                                                                         (5)
 /// that fits these points best in least squares has the half axes μ^{-1/2}, μ the eigenvalues of [A B; B C].
-/// γ is their ratio, ≥ 1, and its angle that of the long axis.
+/// γ is their ratio, ≥ 1, and its angle α that of the long axis. The same fit to the points of any lobe,
+/// closed or not, has the anisotropy
+///     ε (cos 2α, sin 2α) = (C - A, -2B)/(A + C),     ε = (γ² - 1)/(γ² + 1),                            (6)
+/// which is zero for a circle and varies with chance about it without a preferred direction.
 ///
 /// Symbols   λ  length [samples]      t  level of ρ = R/R(0,0), 0.1, 0.2 or 1/e      ρ' slope per sample
 ///           x, y  lags [m]      angles from +x towards +y [rad]
@@ -34,6 +37,8 @@
 #pragma once
 
 #include <optional>
+
+#include <Eigen/Core>
 
 #include "core/field.hpp"
 #include "stats/spatial/pairs.hpp"
@@ -55,9 +60,6 @@ std::optional<Crossing> first_crossing(const Eigen::ArrayXd& profile, double lev
 /// The same for a normalised ρ in a direction.
 std::optional<Crossing> first_crossing(const LagField& rho, const Grid& grid, double angle, double level);
 
-/// The lag nearest to the end of a length, whose error the length has; never lag zero, which has none.
-Shape nearest_lag(const Grid& grid, double angle, double length);
-
 struct Reach {
   double length = 0;  ///< [m]
   double angle = 0;   ///< [rad], in (-π/2, π/2]
@@ -71,9 +73,10 @@ struct LobeEllipse {
 };
 
 struct CentralLobe {
-  std::optional<Reach> r_min;          ///< (3); none if the lags end before
-  std::optional<Reach> r_max;          ///< none if the lobe reaches the longest lags
-  std::optional<LobeEllipse> ellipse;  ///< (5); none if the lobe is open or the fit is no ellipse
+  std::optional<Reach> r_min = {};                 ///< (3); none if the lags end before
+  std::optional<Reach> r_max = {};                 ///< none if the lobe reaches the longest lags
+  std::optional<LobeEllipse> ellipse = {};         ///< (5); none if the lobe is open or the fit is no ellipse
+  std::optional<Eigen::Vector2d> anisotropy = {};  ///< (6), of an open lobe too
 
   /// (4).
   std::optional<double> aspect_ratio() const {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <span>
 #include <utility>
 
 #include "core/memory.hpp"
 #include "core/parallel.hpp"
+#include "math/noise.hpp"
 #include "stats/filter/missing.hpp"
 #include "stats/sample/quantiles.hpp"
 #include "stats/spatial/pairs.hpp"
@@ -82,15 +84,36 @@ struct WaveNumbers {
 constexpr Index sectors = 360;  // of π
 constexpr double sector = std::numbers::pi / sectors, narrowest = 2 * std::numbers::pi / 180;
 
-// Adds a wave number to F of (5), on sectors from -π/2 on.
-void spread(Eigen::ArrayXd& F, double angle, double half_width, double power) {
-  const auto first = static_cast<Index>(std::ceil((angle - half_width) / sector)),
-             last = static_cast<Index>(std::floor((angle + half_width) / sector));
-  for (Index s = first; s <= last; ++s) {
-    const double distance = std::abs(static_cast<double>(s) * sector - angle) / half_width;
-    F((s + 5 * sectors / 2) % sectors) += power * (1 - distance) / half_width;
+// A wave number, or several of the narrowest in one direction.
+struct Ray {
+  double angle, half_width, power, square = power * power;
+};
+
+// (5) on sectors from -π/2 on, and its variance but for what wave numbers share.
+struct AngularSpectrum {
+  Eigen::ArrayXd F = Eigen::ArrayXd::Zero(sectors), variance = Eigen::ArrayXd::Zero(sectors);
+
+  void add(const Ray& ray) {
+    const auto first = static_cast<Index>(std::ceil((ray.angle - ray.half_width) / sector)),
+               last = static_cast<Index>(std::floor((ray.angle + ray.half_width) / sector));
+    for (Index s = first; s <= last; ++s) {
+      const double distance = std::abs(static_cast<double>(s) * sector - ray.angle) / ray.half_width;
+      const Index k = (s + 5 * sectors / 2) % sectors;
+      F(k) += ray.power * (1 - distance) / ray.half_width;
+      variance(k) += 0.5 * ray.square * std::pow((1 - distance) / ray.half_width, 2);
+    }
   }
-}
+  static double angle_of(double k) { return k * sector - std::numbers::pi / 2; }
+  /// The vertex of a parabola through the largest F and its neighbours.
+  double top() const {
+    Index k = 0;
+    const double highest = F.maxCoeff(&k), before = F((k + sectors - 1) % sectors),
+                 after = F((k + 1) % sectors);
+    const double bend = before - 2 * highest + after, shift = bend < 0 ? 0.5 * (before - after) / bend : 0;
+    const double angle = angle_of(static_cast<double>(k) + shift);
+    return angle > -std::numbers::pi / 2 ? angle : angle + std::numbers::pi;
+  }
+};
 
 }  // namespace
 
@@ -205,22 +228,103 @@ std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid
   return out;
 }
 
-// The vertex of the parabola through the largest F and its neighbours.
-TextureDirection texture_direction(const LagField& psd, const Grid& grid) {
+// ---- the angular spectrum ----
+
+namespace {
+
+// Of the narrowest, those of one direction count as one.
+class PooledRays {
+ public:
+  void add(const Ray& ray) {
+    if (!(ray.power > 0)) return;
+    if (ray.half_width > narrowest) return wide_.push_back(ray);
+    const auto s = std::lround(ray.angle / sector);
+    Ray& all = narrow_[size((s + sectors) % sectors)];
+    all = {static_cast<double>(s) * sector, narrowest, all.power + ray.power, all.square + ray.square};
+  }
+  std::vector<Ray> all() const {
+    std::vector<Ray> out = wide_;
+    std::ranges::copy_if(narrow_, std::back_inserter(out), [](const Ray& ray) { return ray.power > 0; });
+    return out;
+  }
+
+ private:
+  std::vector<Ray> wide_ = {}, narrow_ = std::vector<Ray>(size(sectors), {0, narrowest, 0});
+};
+
+// The rms change of the largest F's direction when the powers are drawn again, with their variance.
+double error_of_top(const std::vector<Ray>& rays, double top, double overlap) {
+  constexpr int draws = 64;
+  WhiteNoise noise(1);
+  std::vector<double> normal(rays.size());
+  double square = 0;
+  for (Index d = 0; d < draws; ++d) {
+    noise.row(d, normal);
+    AngularSpectrum drawn;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      Ray ray = rays[k];
+      const double spread = std::log1p(0.5 * overlap * ray.square / (ray.power * ray.power));
+      ray.power *= std::exp(std::sqrt(spread) * normal[k] - 0.5 * spread);
+      drawn.add(ray);
+    }
+    square += std::pow(std::remainder(drawn.top() - top, std::numbers::pi), 2) / draws;
+  }
+  return std::sqrt(square);
+}
+
+// The maximum, beside the largest, that stands out most above what lies between: in its errors, and where.
+struct Maximum {
+  double angle = NAN, errors = 0;
+};
+Maximum second_maximum(const AngularSpectrum& of, double overlap) {
+  Index top = 0;
+  const Eigen::ArrayXd& F = of.F;
+  const double least = 0.01 * F.maxCoeff(&top);
+  auto at = [&](Index k) { return (top + k + sectors) % sectors; };
+  Maximum out;
+  for (Index k = 1; k < sectors; ++k) {
+    const Index here = at(k);
+    if (!(F(here) > F(at(k - 1)) && F(here) >= F(at(k + 1)) && F(here) > least)) continue;
+    Index before = here, after = here;  // lowest on the way to the largest
+    for (Index j = 1; j < k; ++j)
+      if (F(at(j)) < F(before)) before = at(j);
+    for (Index j = k + 1; j < sectors; ++j)
+      if (F(at(j)) < F(after)) after = at(j);
+    const Index between = F(before) > F(after) ? before : after;
+    auto relative_variance = [&](Index i) { return F(i) > 0 ? of.variance(i) / (F(i) * F(i)) : 0; };
+    const double errors = std::log(F(here) / F(between)) /
+                          std::sqrt(overlap * (relative_variance(here) + relative_variance(between)));
+    if (errors > out.errors) out = {AngularSpectrum::angle_of(static_cast<double>(here)), errors};
+  }
+  return out;
+}
+
+}  // namespace
+
+TextureDirection texture_direction(const LagField& psd, const Grid& grid, double overlap) {
   const WaveNumbers q(grid);
-  Eigen::ArrayXd F = Eigen::ArrayXd::Zero(sectors);
+  PooledRays rays;
+  AngularSpectrum all;
   q.for_each(psd, [&](double qx, double qy, double weight, double value) {
     const double length = std::hypot(qx, qy);
     if (length < 4 * q.step() * (1 - round_off) || length > q.last * (1 + round_off)) return;
-    spread(F, std::atan2(qy, qx), std::max(narrowest, q.step() / length), weight * value);
+    const Ray ray{std::atan2(qy, qx), std::max(narrowest, q.step() / length), weight * value};
+    rays.add(ray), all.add(ray);
   });
-  Index top = 0;
-  const double highest = F.maxCoeff(&top);
-  if (!(highest > 0)) return {NAN, NAN};
-  const double before = F((top + sectors - 1) % sectors), after = F((top + 1) % sectors);
-  const double bend = before - 2 * highest + after, shift = bend < 0 ? 0.5 * (before - after) / bend : 0;
-  const double angle = (static_cast<double>(top) + shift) * sector - std::numbers::pi / 2;
-  return {angle > -std::numbers::pi / 2 ? angle : angle + std::numbers::pi, highest / F.mean()};
+  const double highest = all.F.maxCoeff();
+  if (!(highest > 0)) return {};
+  const double angle = all.top();
+  TextureDirection out{angle, highest / all.F.mean(),
+                       std::hypot(error_of_top(rays.all(), angle, overlap), sector)};
+  constexpr double least_errors = 3.5;
+  if (const Maximum next = second_maximum(all, overlap); next.errors > least_errors) out.other = next.angle;
+  return out;
+}
+
+TextureDirection texture_direction(const Field& d, const Grid& grid, int threads) {
+  const DataWindows windows = default_windows(grid);
+  return texture_direction(power_spectrum(d, grid, windows, threads), grid,
+                           shared_power(d, windows).overlap());
 }
 
 }  // namespace asperity

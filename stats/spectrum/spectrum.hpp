@@ -33,7 +33,12 @@
 /// spread over neighbouring angles by a triangle whose half width is 2°, or the angle Δq/q of its cell if
 /// that is larger. Wave numbers below four times 2π/min(Lx,Ly), which hold remains of the form, and above the
 /// smaller of π/Δx, π/Δy, which do not exist in all directions, are left out. Std of ISO 25178-2 is the angle
-/// of the largest F.
+/// of the largest F. Its error is the rms change when powers are drawn again, 64 times, about those found:
+/// with lognormal factors of the variance r/2, r what neighbouring wave numbers share (shared_power.hpp), and
+/// ½ because a power found has chance itself; and a sector of 0.5°. F has another maximum F_2 beside the
+/// largest, two lays, if
+///     ln(F_2/F_b) > 3.5 √(Var[F_2]/F_2² + Var[F_b]/F_b²),     Var[F] = r/2 Σ (share of C)²,            (7)
+/// F_b the least F on the way from one to the other, on either side, and F_2 > F/100 of the largest.
 ///
 /// Symbols   p, q  indices of the wave numbers, p = 0 … nx/2, |q| ≤ ny/2; C(-p,-q) = C(p,q)
 ///           qx, qy  wave numbers [rad/m]      θ  angle from +x towards +y, in (-π/2, π/2] [rad]
@@ -42,7 +47,11 @@
 ///           1018 C, at its own mirror image, p and q 0 or half of an even nx, ny). Errors and degrees of
 ///           freedom of means: shared_power.hpp; what else an error holds, and what there is none of:
 ///           stats/measure/spectra.hpp. Std within 0.5° for a wave that covers a few wave numbers; for an
-///           isotropic surface it is random.
+///           isotropic surface it is random. Its errors are 1.3 to 1.8 of the true ones, and intervals
+///           of 1.96 of them hold 98 to 100 % (60 fields each of four textures, 128 × 128 points, lengths 2:1
+///           and lays of 4:1). Two lays were found in none of 1800 fields with one lay or none, of twelve
+///           textures, square, strips and oblong cells, and in 6 of 150 patchy; in all of 120 with two, at
+///           right angles, of unequal strength, or 60° apart (N_eff 590 to 660).
 /// Cost      one real transform; of (5) one pass over C.
 /// Memory    of C with the field, two and a half of it.
 ///
@@ -50,6 +59,8 @@
 /// F. J. Harris, Proc. IEEE 66 (1978) 51-83, for windows.
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/field.hpp"
@@ -115,11 +126,15 @@ std::vector<SpectrumPoint> profile_spectrum(const LagField& psd, const Grid& gri
 std::vector<SpectrumPoint> radial_spectrum(const LagField& psd, const Grid& grid, const SharedPower& shared);
 
 struct TextureDirection {
-  double angle = 0;     ///< Std [rad]
-  double contrast = 0;  ///< largest F over its mean, 1 for no texture
+  double angle = std::numeric_limits<double>::quiet_NaN();  ///< Std [rad]
+  double contrast = angle;                                  ///< largest F over its mean, 1 for no texture
+  double error = angle;                                     ///< of Std [rad]
+  std::optional<double> other = {};                         ///< of F_2 of (7) [rad]
 };
 
-/// From (1).
-TextureDirection texture_direction(const LagField& psd, const Grid& grid);
+/// From (1). `overlap` is that of what the wave numbers share.
+TextureDirection texture_direction(const LagField& psd, const Grid& grid, double overlap = 1);
+/// With the default windows.
+TextureDirection texture_direction(const Field& d, const Grid& grid, int threads = 1);
 
 }  // namespace asperity

@@ -1,11 +1,13 @@
 #include "stats/uncertainty/acf_deviations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "math/linear_algebra.hpp"
 #include "stats/sample/quantiles.hpp"
 
 namespace asperity {
@@ -33,90 +35,108 @@ LagField AcfDeviations::errors() const {
   return LagField(variance.sqrt());
 }
 
-Eigen::MatrixXd AcfDeviations::correlation(const std::vector<Shape>& lags) const {
-  Eigen::MatrixXd m(static_cast<Index>(lags.size()), static_cast<Index>(modes_.size()));
-  for (Index h = 0; h < m.rows(); ++h)
-    for (Index k = 0; k < m.cols(); ++k) {
-      const auto [p, q] = lags[static_cast<std::size_t>(h)];
-      m(h, k) = modes_[static_cast<std::size_t>(k)](p, q);
+// Orthogonal over the lags: eigenvectors of their products, but for those of round-off.
+std::vector<Field> AcfDeviations::principal_modes() const {
+  constexpr double round_off = 1e-14;
+  const auto count = std::ssize(modes_);
+  Eigen::MatrixXd products(count, count);
+  for (Index k = 0; k < count; ++k)
+    for (Index l = 0; l <= k; ++l) {
+      const Field product = modes_[size(k)].half_plane() * modes_[size(l)].half_plane();
+      products(k, l) = products(l, k) = product.isNaN().select(0, product).sum();
     }
-  m.rowwise().normalize();
-  return m * m.transpose();
-}
-
-std::vector<AcfDeviations::Pair> AcfDeviations::displaced(const LagField& rho, const Figure& figure,
-                                                          double step, int threads) const {
-  const LagField here = rho.within(max_lag());
-  std::vector<Pair> out(modes_.size());
-  parallel_ranges(static_cast<Index>(modes_.size()), threads, [&](Index begin, Index end, int) {
-    for (Index k = begin; k < end; ++k) {
-      const Field by = step * modes_[static_cast<std::size_t>(k)].half_plane();
-      out[static_cast<std::size_t>(k)] = {figure(LagField(here.half_plane() + by)),
-                                          figure(LagField(here.half_plane() - by))};
-    }
-  });
+  const Eigen::MatrixXd root = covariance_root(products);
+  std::vector<Field> out;
+  for (Index j = 0; j < count; ++j) {
+    if (!(root.col(j).squaredNorm() > round_off * products.trace())) continue;
+    const Eigen::VectorXd turn = root.col(j).normalized();
+    Field sum = turn(0) * modes_[0].half_plane();
+    for (Index k = 1; k < count; ++k) sum += turn(k) * modes_[size(k)].half_plane();
+    out.push_back(std::move(sum));
+  }
+  if (out.empty()) out.push_back(modes_[0].half_plane());  // zero, or unknown
   return out;
 }
 
-// (2), of differences by `apart`; of one side where the figure is missing on the other side.
-double AcfDeviations::error_of(const std::vector<Pair>& pairs, double here, const Difference& apart) {
-  double variance = 0;
-  for (const auto& [above, below] : pairs) {
-    if (!above && !below) return NAN;
-    double sum = 0;
-    if (above) sum += apart(*above, here);
-    if (below) sum += apart(here, *below);
-    variance += std::pow(above && below ? sum / 2 : sum, 2);
+AcfDeviations::Sides AcfDeviations::displaced(const LagField& rho, const std::vector<Field>& modes,
+                                              double step, const Figures& figures, int threads) {
+  std::vector<std::array<Eigen::ArrayXd, 2>> of(modes.size());
+  parallel_ranges(std::ssize(modes), threads, [&](Index begin, Index end, int) {
+    for (Index k = begin; k < end; ++k) {
+      const Field by = step * modes[size(k)];
+      of[size(k)] = {figures(LagField(rho.half_plane() + by)), figures(LagField(rho.half_plane() - by))};
+    }
+  });
+  Sides out{Eigen::ArrayXXd(std::ssize(of), of[0][0].size()),
+            Eigen::ArrayXXd(std::ssize(of), of[0][0].size())};
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    out.above.row(static_cast<Index>(k)) = of[k][0].transpose();
+    out.below.row(static_cast<Index>(k)) = of[k][1].transpose();
   }
-  return std::sqrt(variance);
+  return out;
 }
 
-AcfDeviations::Law AcfDeviations::relative(const LagField& rho, const Figure& figure, int threads) const {
-  const auto here = figure(rho);
-  if (!here || !(*here > 0 && std::isfinite(*here))) return {};
-  const double end = quantile(0.025), step = std::min(end, furthest);
-  std::vector<Pair> pairs = displaced(rho, figure, step, threads);
-  Law out;
-  for (const auto& [above, below] : step < end ? displaced(rho, figure, end, threads) : pairs)
-    for (const auto& side : {above, below}) {
-      out.falls = out.falls || side.value_or(0) == 0;
-      out.rises = out.rises || std::isinf(side.value_or(INFINITY));
-    }
-  double curvature = 0;
-  for (auto& [above, below] : pairs) {
-    for (std::optional<double>* side : {&above, &below})
-      if (side->value_or(0) == 0 || std::isinf(**side)) side->reset();
-    if (above && below) curvature += std::log(*above / *here) + std::log(*below / *here);
-  }
-  auto apart = [](double a, double b) { return std::log(a / b); };
-  out.error = error_of(pairs, *here, apart) / step;
-  out.bias = curvature / (2 * step * step);
+FigureDeviations AcfDeviations::of(const LagField& rho, const Figures& figures, int threads) const {
+  const LagField here = rho.within(max_lag());
+  const std::vector<Field> modes = principal_modes();
+  const double end = quantile(0.025);
+  FigureDeviations out;
+  out.degrees_ = degrees_, out.step_ = std::min(end, furthest), out.here_ = figures(here);
+  out.near_ = displaced(here, modes, out.step_, figures, threads);
+  out.end_ = out.step_ < end ? displaced(here, modes, end, figures, threads) : out.near_;
   return out;
 }
 
 Eigen::ArrayXd AcfDeviations::relative_errors(const LagField& rho, const Figures& figures,
                                               int threads) const {
-  const LagField here = rho.within(max_lag());
-  std::vector<Eigen::ArrayXd> squares(modes_.size());
-  parallel_ranges(static_cast<Index>(modes_.size()), threads, [&](Index begin, Index end, int) {
-    for (Index k = begin; k < end; ++k) {
-      const Field& by = modes_[static_cast<std::size_t>(k)].half_plane();
-      const Eigen::ArrayXd above = figures(LagField(here.half_plane() + by)),
-                           below = figures(LagField(here.half_plane() - by));
-      squares[static_cast<std::size_t>(k)] = (0.5 * (above / below).log()).square();
-    }
-  });
-  Eigen::ArrayXd variance = squares.front();
-  for (std::size_t k = 1; k < squares.size(); ++k) variance += squares[k];
-  return variance.sqrt();
+  const auto [above, below] = displaced(rho.within(max_lag()), principal_modes(), 1, figures, threads);
+  return (0.5 * (above / below).log()).square().colwise().sum().sqrt().transpose();
 }
 
-double AcfDeviations::of_axis(const LagField& rho, const Figure& figure, int threads) const {
-  const auto here = figure(rho);
-  if (!here) return NAN;
-  const double error = error_of(displaced(rho, figure, 1, threads), *here,
-                                [](double a, double b) { return std::remainder(a - b, std::numbers::pi); });
+// ---- figures ----
+
+double FigureDeviations::quantile(double tail) const { return student_quantile(tail, degrees_); }
+
+template <class Difference>
+Eigen::ArrayXd FigureDeviations::differences(Index i, const Difference& apart) const {
+  return Eigen::ArrayXd::NullaryExpr(near_.above.rows(), [&](Index k) {
+    const double up = apart(near_.above(k, i), here_(i)), down = apart(here_(i), near_.below(k, i));
+    const bool rises = std::isfinite(up), falls = std::isfinite(down);
+    if (!rises && !falls) return static_cast<double>(NAN);
+    return (rises && falls ? (up + down) / 2 : rises ? up : down) / step_;
+  });
+}
+
+FigureDeviations::Law FigureDeviations::relative(Index i) const {
+  const double here = here_(i);
+  if (!(here > 0 && std::isfinite(here))) return {};
+  Law out{.error = differences(i, [](double a, double b) { return std::log(a / b); }).matrix().norm()};
+  for (const Eigen::ArrayXXd* side : {&end_.above, &end_.below}) {
+    out.falls |= !(side->col(i) > 0).all();
+    out.rises |= !(side->col(i) < INFINITY).all();
+  }
+  const Eigen::ArrayXd bends = (near_.above.col(i) * near_.below.col(i) / (here * here)).log();
+  out.bias = bends.isFinite().select(bends, 0).sum() / (2 * step_ * step_);
+  return out;
+}
+
+double FigureDeviations::of_axis(Index i) const {
+  auto apart = [](double a, double b) { return std::remainder(a - b, std::numbers::pi); };
+  const double error = differences(i, apart).matrix().norm();
   return quantile(0.025) * error < std::numbers::pi / 2 ? error : NAN;
+}
+
+double FigureDeviations::chance_of_pair(Index i, double beside) const {
+  auto apart = [](double a, double b) { return a - b; };
+  Eigen::MatrixX2d deviations(near_.above.rows(), 2);
+  deviations << differences(i, apart), differences(i + 1, apart);
+  const Eigen::Matrix2d covariance =
+      deviations.transpose() * deviations + beside * Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d x = here_.segment(i, 2);
+  if (!x.allFinite() || !covariance.allFinite()) return 1;
+  constexpr double no_pivot = 1e-9;
+  const auto scaled = solve_positive(covariance, x, no_pivot);
+  return scaled ? std::pow(1 + x.dot(*scaled) / degrees_, -degrees_ / 2) : 1;
 }
 
 }  // namespace asperity

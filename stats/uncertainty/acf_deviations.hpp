@@ -17,7 +17,14 @@
 /// Where ρ ± u m_k does not fall to the level of a length, that length is beyond the lags, and a ratio with
 /// it zero or infinite: its interval is open on that side.
 ///
-/// The modes are long waves of the field (stats/uncertainty/lag_waves.hpp).
+/// Two figures x that are zero on average, such as the anisotropy of an isotropic field, have the covariance
+/// C of (2), and xᵀ C⁻¹ x = T² is exceeded by chance with the probability
+///     (1 + T²/ν)^-ν/2,                                                                                (4)
+/// that of T²/2 by F(2, ν), ν the degrees of freedom that the scale of (1) is known to.
+///
+/// The modes are long waves of the field (stats/uncertainty/lag_waves.hpp), turned among themselves so that
+/// they are orthogonal over the lags: (2) then does not depend on where the period of a field is cut, which
+/// turns sines into cosines.
 ///
 /// Accuracy  of ratios (Str, gamma, those at 1/e and 10 %) stated over true error and coverage of the 95 %
 ///           intervals, the least and the most of eleven textures, where half of the fields or more have an
@@ -42,6 +49,38 @@
 
 namespace asperity {
 
+/// Figures of ρ, and of ρ ± u m_k, a row a mode.
+class FigureDeviations {
+ public:
+  struct Law {
+    double error = NAN, bias = NAN;     ///< NaN if ρ, or a mode on both sides, has no such figure
+    bool falls = false, rises = false;  ///< no end below, above: a mode leads to 0, to infinity, or nowhere
+  };
+  double operator()(Index i) const { return here_(i); }
+  /// Of the logarithm of a positive figure.
+  Law relative(Index i) const;
+  /// The error of an axis [rad], of period π; NaN also if it may be any.
+  double of_axis(Index i) const;
+  /// The chance that figures i and i + 1, if they are zero but for (1) and the variance `beside` of each, are
+  /// as far from zero as they are. 1 where that is not known.
+  double chance_of_pair(Index i, double beside) const;
+  /// The quantile of Student's t that is exceeded with the probability `tail`.
+  double quantile(double tail) const;
+
+ private:
+  friend class AcfDeviations;
+  struct Sides {
+    Eigen::ArrayXXd above = {}, below = {};
+  };
+  // (2), of differences by `apart`; of one side where the figure is missing on the other side.
+  template <class Difference>
+  Eigen::ArrayXd differences(Index i, const Difference& apart) const;
+
+  double degrees_ = 1, step_ = 1;
+  Eigen::ArrayXd here_ = {};
+  Sides near_ = {}, end_ = {};  // at u, and where 95 % intervals end
+};
+
 class AcfDeviations {
  public:
   /// Modes over the same lags, and the degrees of freedom of Student's t that (1) is known to.
@@ -61,32 +100,19 @@ class AcfDeviations {
   double quantile(double tail) const;
   /// √(1) at all lags.
   LagField errors() const;
-  /// The correlation of the deviations of lags.
-  Eigen::MatrixXd correlation(const std::vector<Shape>& lags) const;
 
-  static constexpr double beyond = std::numeric_limits<double>::infinity();
-  /// A figure of ρ; none if this ρ has no such figure. Of a ratio with a length beyond the lags, 0 or
-  /// infinite.
-  using Figure = std::function<std::optional<double>(const LagField& rho)>;
-  struct Law {
-    double error = NAN, bias = NAN;     ///< NaN if ρ, or a mode on both sides, has no such figure
-    bool falls = false, rises = false;  ///< no end below, above: a mode leads to 0, to infinity, or nowhere
-  };
-  /// Of the logarithm of a positive figure.
-  Law relative(const LagField& rho, const Figure& figure, int threads = 1) const;
-  /// The errors of the logarithms of several positive figures; not finite where one is zero or infinite.
+  /// Figures of ρ: NaN where this ρ has no such figure, infinite for a length beyond the lags, and 0 or
+  /// infinite for a ratio with one.
   using Figures = std::function<Eigen::ArrayXd(const LagField& rho)>;
+  FigureDeviations of(const LagField& rho, const Figures& figures, int threads = 1) const;
+  /// The errors of the logarithms of several positive figures; not finite where one is zero or infinite.
   Eigen::ArrayXd relative_errors(const LagField& rho, const Figures& figures, int threads = 1) const;
-  /// The error of an axis [rad], of period π; NaN also if no direction is preferred.
-  double of_axis(const LagField& rho, const Figure& figure, int threads = 1) const;
 
  private:
-  struct Pair {
-    std::optional<double> above, below;
-  };
-  std::vector<Pair> displaced(const LagField& rho, const Figure& figure, double step, int threads) const;
-  using Difference = std::function<double(double, double)>;
-  static double error_of(const std::vector<Pair>& pairs, double here, const Difference& apart);
+  std::vector<Field> principal_modes() const;
+  using Sides = FigureDeviations::Sides;
+  static Sides displaced(const LagField& rho, const std::vector<Field>& modes, double step,
+                         const Figures& figures, int threads);
 
   std::vector<LagField> modes_;
   double degrees_;

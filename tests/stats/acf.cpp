@@ -280,6 +280,11 @@ TEST_CASE(
         CHECK(std::abs(lobe.ellipse->minor - fast) <= near_error / 3);
         CHECK(std::abs(lobe.ellipse->major.length - slow) <= far_error / 3);
         CHECK(between(lobe.ellipse->major.angle, angle) <= 0.125 / (fast * fast));
+        // Of 2 ln of the ratio of the axes ε has the slope 1 - ε² ≤ 1 each.
+        const double ratio = slow / fast, e = (ratio * ratio - 1) / (ratio * ratio + 1);
+        const Eigen::Vector2d of_axes = e * Eigen::Vector2d(std::cos(2 * angle), std::sin(2 * angle));
+        CHECK((*lobe.anisotropy - of_axes).norm() <=
+              (near_error / fast + far_error / slow) / 3 + 0.25 / (fast * fast));
         // Two samples to either side of an axis r differs by less than h²/(2r).
         CHECK(between(lobe.r_max->angle, angle) <= 2 / fast);
         CHECK(between(lobe.r_min->angle, angle + std::numbers::pi / 2) <= 2 / fast);

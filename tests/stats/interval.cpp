@@ -119,15 +119,6 @@ TEST_CASE("a correlation that is nowhere lower has no shorter length, in any dir
   }
 }
 
-// Below half a sample the nearest lag was lag zero, and the standard error of a length 0.
-TEST_CASE("a length below half a sample has the error of the first lag in its direction",
-          "[acf-length][contract]") {
-  const Grid g{{9, 9}, 1.0, 2.0, false};
-  CHECK(nearest_lag(g, 0.1, 0.3) == Shape{1, 0});
-  CHECK(nearest_lag(g, std::numbers::pi / 2, 0.3) == Shape{0, 1});
-  CHECK(nearest_lag(g, std::numbers::pi / 4, std::sqrt(8.0)) == Shape{2, 1});
-}
-
 // The exponential is exact as long as (2) is ln ρ's: down to lengths of 1.3 samples.
 TEST_CASE("the length of an exponential of 1.3 samples is exact, wherever it lies between two lags",
           "[acf-length][exact]") {
@@ -160,10 +151,10 @@ TEST_CASE("intervals of every surface hold what was measured, or there is none",
     for (const double level : {0.1, 0.2, 1 / std::numbers::e})
       for (const double angle : {0.0, 0.5, std::numbers::pi / 2, 2.4})
         if (const auto at = first_crossing(rho, s.grid, angle, level))
-          CHECK(holds(*lengths.along(angle, level, at->lag).interval, at->lag));
-    const CentralLobe lobe = central_lobe(rho, s.grid);
-    if (lobe.r_min) CHECK(holds(*lengths.r_min(0.2, *lobe.r_min).interval, lobe.r_min->length));
-    if (lobe.r_max) CHECK(holds(*lengths.r_max(0.2, *lobe.r_max).interval, lobe.r_max->length));
+          CHECK(holds(lengths.along(angle, level, at->lag).interval.value_or(Interval()), at->lag));
+    const LobeEstimates lobe = lengths.lobe(0.2);
+    for (const auto& of : {lobe.r_min, lobe.r_max, lobe.aspect_ratio, lobe.gamma})
+      if (of) CHECK(holds(of->interval.value_or(Interval()), of->value));
   }
 }
 

@@ -9,7 +9,6 @@
 #include "stats/spatial/acf.hpp"
 #include "stats/uncertainty/acf_deviations.hpp"
 #include "stats/uncertainty/effective_size.hpp"
-#include "stats/uncertainty/length_interval.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -120,48 +119,6 @@ TEST_CASE("stretches of fields as prescribed spread as their variance says", "[s
   }
 }
 
-// ---- length interval ----
-
-namespace {
-
-LagField exponential_lags(Index reach, double length) {
-  return LagField(Field::NullaryExpr(reach + 1, 2 * reach + 1, [=](Index p, Index column) {
-    return std::exp(-std::hypot(static_cast<double>(p), static_cast<double>(column - reach)) / length);
-  }));
-}
-
-// The error 0.02 at every lag, as a mode, and t of five degrees.
-LengthIntervals intervals_of(const LagField& rho, double error, double bias = 0) {
-  const auto& lags = rho.half_plane();
-  const AcfDeviations deviations({LagField(Field::Constant(lags.rows(), lags.cols(), error))}, 5);
-  return {rho, grid(512, 512), deviations, LagField((lags + bias) / (1 + bias))};
-}
-
-}  // namespace
-
-// exp(-λ/6) is interpolated exactly, with the band between two lags to 3e-4.
-TEST_CASE("the interval of a length ends where the correlation is t of its errors from the level",
-          "[length-interval][exact]") {
-  const double length = 6, level = 0.3, error = 0.02, b = 0.01, t = 2.570582;
-  const Interval i = intervals_of(exponential_lags(60, length), error, b).along(0, level);
-  auto at = [&](double end) { return (std::exp(-end / length) + b) / (1 + b); };
-  CHECK(at(i.low) - t * error == Approx(level).margin(1e-3));
-  CHECK(at(i.high) + t * error == Approx(level).margin(1e-3));
-}
-
-TEST_CASE(
-    "an interval is open where the correlation does not fall that far, and none where no side of it does",
-    "[length-interval][contract]") {
-  const LagField rho = exponential_lags(12, 6);
-  const LengthIntervals of = intervals_of(rho, 0.05), sharp = intervals_of(rho, 1e-4);
-  CHECK(of.along(0, 0.15).low > 0);
-  CHECK(std::isinf(of.along(0, 0.15).high));
-  CHECK(std::isinf(of.r_min(0.15).high));
-  CHECK(of.along(0, 0.05).low > 0);
-  CHECK(std::isinf(of.along(0, 0.05).high));
-  CHECK_FALSE(sharp.along(0, 0.05).known());
-}
-
 // ---- acf deviations ----
 
 // Modes a and b of one lag: its error √(a² + b²), and that of e^ρ relative to it, without a bias of ln e^ρ.
@@ -177,42 +134,73 @@ TEST_CASE("a figure of the autocorrelation has the error of the deviations of it
   rho(1, 1) = 0.5;
   CHECK(of.errors()(1, 0) == Approx(0.05).epsilon(1e-14));
   CHECK(of.errors()(0, 1) == Approx(0.02).epsilon(1e-14));
-  CHECK(of.correlation({{1, 0}, {0, 1}})(0, 1) == Approx(0.8).epsilon(1e-14));
   CHECK(of.quantile(0.025) == Approx(2.5706).epsilon(1e-4));
-  const auto exponential = of.relative(
-      LagField(rho), [](const LagField& r) { return std::optional(std::exp(r(1, 0))); }, 3);
+  const double inf = std::numeric_limits<double>::infinity();
+  const FigureDeviations figures = of.of(
+      LagField(rho),
+      [&](const LagField& r) {
+        const double x = r(1, 0) - 0.5;
+        Eigen::ArrayXd out(6);
+        // An exponential; a convex figure; one beyond the lags on one side; an axis; any axis; one found on
+        // one side alone, and not of ρ.
+        out << std::exp(x), std::cosh(10 * x), x > 1e-9 ? inf : std::exp(x), std::numbers::pi / 2 + x, 12.5 * x,
+            x > 1e-9 ? 1 + x : NAN;
+        return out;
+      },
+      3);
+  const auto exponential = figures.relative(0), cosh = figures.relative(1), rising = figures.relative(2);
   CHECK(exponential.error == Approx(0.05).epsilon(1e-12));
   CHECK(std::abs(exponential.bias) <= 1e-14);
+  CHECK_FALSE((exponential.rises || exponential.falls));
+  // (3) is at most the half of the second derivative of ln cosh 10x times the variance.
+  CHECK(cosh.bias > 0);
+  CHECK(cosh.bias <= 50 * 0.05 * 0.05);
+  CHECK(rising.error == Approx(0.05).epsilon(1e-12));
+  CHECK((rising.rises && !rising.falls));
+  CHECK(figures.of_axis(3) == Approx(0.05).epsilon(1e-12));
+  CHECK(std::isnan(figures.of_axis(4)));
+  CHECK(std::isnan(figures.relative(5).error));
   const Eigen::ArrayXd several = of.relative_errors(
       LagField(rho),
       [](const LagField& r) { return Eigen::Array2d(std::exp(r(1, 0)), std::exp(2 * r(0, 1))); }, 2);
   CHECK(several(0) == Approx(0.05).epsilon(1e-12));
   CHECK(several(1) == Approx(0.04).epsilon(1e-12));
-  // Of a convex function the logarithm is biased: (3) of 10 u times the modes.
-  const auto cosh = of.relative(
-      LagField(rho), [](const LagField& r) { return std::optional(std::cosh(10 * (r(1, 0) - 0.5))); });
-  const double u = 2.5;  // the most: Student's quantile is 2.57
-  CHECK(cosh.bias ==
-        Approx((std::log(std::cosh(0.3 * u)) + std::log(std::cosh(0.4 * u))) / (u * u)).epsilon(1e-12));
-  // Beyond the lags on one side: the difference on the other.
-  const auto rising = of.relative(LagField(rho), [](const LagField& r) {
-    return std::optional(r(1, 0) > 0.5 ? AcfDeviations::beyond : std::exp(r(1, 0)));
-  });
-  CHECK(rising.error == Approx(0.05).epsilon(1e-12));
-  CHECK(rising.rises);
-  CHECK_FALSE(rising.falls);
-  CHECK_FALSE(exponential.rises);
-  CHECK_FALSE(exponential.falls);
-  const AcfDeviations::Figure axis = [](const LagField& r) {
-    return std::optional(std::numbers::pi / 2 + r(1, 0) - 0.5);
+}
+
+// A period cut elsewhere turns sines into cosines. Errors of figures with a kink changed by a third so.
+TEST_CASE("modes turned among themselves give a figure the same error", "[acf-deviations][law]") {
+  std::vector<LagField> modes, turned;
+  for (unsigned k = 0; k < 2; ++k) modes.emplace_back(0.1 * random_field({4, 7}, 60 + k));
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  turned.emplace_back(c * modes[0].half_plane() + s * modes[1].half_plane());
+  turned.emplace_back(c * modes[1].half_plane() - s * modes[0].half_plane());
+  const auto figures = [](const LagField& rho) {
+    return Eigen::ArrayXd::Constant(1, std::min(rho(1, 0), rho(0, 1))).eval();
   };
-  CHECK(of.of_axis(LagField(rho), axis) == Approx(0.05).epsilon(1e-12));
-  const AcfDeviations::Figure wild = [](const LagField& r) { return std::optional(50 * r(1, 0)); };
-  CHECK(std::isnan(of.of_axis(LagField(rho), wild)));
-  const AcfDeviations::Figure rare = [](const LagField& r) {
-    return r(1, 0) > 0.5 ? std::optional(r(1, 0)) : std::nullopt;
+  const LagField rho(Field::Ones(4, 7));
+  const auto law = AcfDeviations(modes, 8).of(rho, figures).relative(0),
+             other = AcfDeviations(turned, 8).of(rho, figures).relative(0);
+  CHECK(relative_error(other.error, law.error) <= 1e-12);
+  CHECK(relative_error(other.bias, law.bias) <= 1e-10);
+}
+
+// Two figures of errors 0.03 and 0.04, independent, and 0.09 and 0.04 from zero: T² = 9 + 1. Beside them a
+// variance of 0.0009 halves the first. Nothing is known of two that vary as one.
+TEST_CASE("the chance of a pair of figures is that of F with 2 and nu degrees", "[acf-deviations][exact]") {
+  auto mode = [](double there, double beside) {
+    Field values = Field::Zero(2, 3);
+    values(1, 1) = there, values(0, 2) = beside;
+    return LagField(values);
   };
-  CHECK(std::isnan(of.relative(LagField(rho), rare).error));
+  Field rho = Field::Zero(2, 3);
+  rho(1, 1) = 0.09, rho(0, 2) = 0.04;
+  const auto pair = [](const LagField& r) { return Eigen::ArrayXd(Eigen::Array2d(r(1, 0), r(0, 1))); };
+  const double nu = 5;
+  auto chance = [&](double squared) { return std::pow(1 + squared / nu, -nu / 2); };
+  const FigureDeviations of = AcfDeviations({mode(0.03, 0), mode(0, 0.04)}, nu).of(LagField(rho), pair);
+  CHECK(of.chance_of_pair(0, 0) == Approx(chance(10)).epsilon(1e-12));
+  CHECK(of.chance_of_pair(0, 0.0009) == Approx(chance(4.5 + 0.0016 / 0.0025)).epsilon(1e-12));
+  CHECK(AcfDeviations({mode(0.03, 0.04)}, nu).of(LagField(rho), pair).chance_of_pair(0, 0) == 1);
 }
 
 // Of 1.6 degrees of freedom Student's quantile is 5.4. A length that cannot fall below a half has the slope of
@@ -221,8 +209,9 @@ TEST_CASE("of few degrees of freedom a figure that saturates keeps its slope", "
   Field values = Field::Zero(2, 3);
   values(1, 1) = 1;
   const AcfDeviations of({LagField(values)}, 1.6);
-  const auto law = of.relative(LagField(Field::Ones(2, 3)),
-                               [](const LagField& r) { return std::optional(std::max(0.5, r(1, 0))); });
+  const auto law = of.of(LagField(Field::Ones(2, 3)), [](const LagField& r) {
+                       return Eigen::ArrayXd::Constant(1, std::max(0.5, r(1, 0))).eval();
+                     }).relative(0);
   const double above = std::log(3.5), below = std::log(2);
   CHECK(law.error == Approx((above + below) / 2 / 2.5).epsilon(1e-12));
 }
@@ -237,11 +226,11 @@ TEST_CASE("the interval of a ratio allows for its bias and for the field's own m
   const LengthErrors errors(estimate, d, 0.2);
   const double here = estimate.rho(3, 0),
                sigma = LagWaves(d, g, {8, 8}, estimate.basis.extent()).of_ratio(estimate.rho).errors()(3, 0);
-  const Estimate ratio = errors.ratio(
+  const Estimate ratio = errors.figure(
       1,
       [here](const LagField& rho) {
         const double x = rho(3, 0) - here;
-        return std::optional(std::exp(10 * x + 100 * x * x));
+        return std::exp(10 * x + 100 * x * x);
       },
       0, 100);
   REQUIRE(ratio.interval);
@@ -260,15 +249,16 @@ TEST_CASE("the interval of a ratio is open where a length may lie beyond the lag
   const LengthErrors errors(estimate, d, 0.2);
   const double freed = estimate.size.freed(estimate.rho)(3, 0);
   auto ratio = [&](double below, double above) {
-    return errors.ratio(
+    return errors.figure(
         1,
         [=](const LagField& rho) {
           const double x = rho(3, 0) - freed, tiny = 1e-9;
-          return std::optional(x < -tiny ? below : x > tiny ? above : 1);
+          return x < -tiny ? below : x > tiny ? above : 1.0;
         },
         0.1, 100);
   };
-  const Estimate low = ratio(0, 1.1), high = ratio(0.9, AcfDeviations::beyond), closed = ratio(0.9, 1.1);
+  const Estimate low = ratio(0, 1.1), high = ratio(0.9, std::numeric_limits<double>::infinity()),
+                 closed = ratio(0.9, 1.1);
   CHECK(low.interval->low == 0.1);
   CHECK(low.interval->high < 100);
   CHECK(high.interval->low > 0.1);

@@ -37,6 +37,8 @@ void add_profile(Table& table, const AcfResult& result, bool absolute, bool x) {
     if (result.structure) {
       row.push_back((*result.structure)(p, q));
       row.push_back(errors.structure(lag));
+      const Interval of_structure = errors.structure_interval((*result.structure)(p, q), lag);
+      row.push_back(of_structure.low), row.push_back(of_structure.high);
     }
     table.rows.push_back(std::move(row));
   }
@@ -167,8 +169,8 @@ Table acf_profiles(const AcfResult& result, const AcfContent& content) {
               {}};
   if (result.target) table.columns.push_back({"target", unit, Holds::unknown});
   if (result.structure)
-    for (const char* name : {"structure_function", "structure_function_standard_error"})
-      table.columns.push_back({name, content.squared(), Holds::unknown});
+    for (const char* name : {"", "_standard_error", "_low_95", "_high_95"})
+      table.columns.push_back({std::string("structure_function") + name, content.squared(), Holds::unknown});
   for (const bool x : {true, false}) add_profile(table, result, content.absolute, x);
   return table;
 }
