@@ -1,10 +1,10 @@
 /// Whether the errors printed beside parameters are those that simulation finds, whatever the texture.
 ///
-///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [OUTLINE]]]]]]
+///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [OUTLINE [SEED]]]]]]]
 ///
 /// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
 /// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors of
-/// parameters are those of asperity-stats. OUTLINE is one of outlines.hpp.
+/// parameters are those of asperity-stats. OUTLINE is one of outlines.hpp, SEED (2026) that of the fields.
 ///
 /// First table, one row a parameter and texture:
 ///
@@ -60,6 +60,7 @@ struct Setting {
   double length = 4;
   int degree = 0;
   std::string outline = "rectangle";
+  unsigned seed = 2026;
 
   // Beyond which no texture is correlated.
   Index reach() const { return static_cast<Index>(40 * length); }
@@ -233,7 +234,7 @@ std::map<std::string, double> true_sizes(const textures::Texture& texture, const
 
 void judge(const textures::Texture& texture, const Setting& setting, Ranges& ranges) {
   const auto [nx, ny] = setting.shape;
-  std::mt19937_64 random(2026);
+  std::mt19937_64 random(setting.seed);
   std::map<std::string, Column> columns;
   std::vector<std::string> names;
   const auto drawn = [&](Shape shape) -> std::function<Field()> {
@@ -288,6 +289,7 @@ int main(int argc, char** argv) {
   if (argc > 4) setting.length = std::atof(argv[4]);
   if (argc > 5) setting.degree = std::atoi(argv[5]);
   if (argc > 6) setting.outline = argv[6];
+  if (argc > 7) setting.seed = static_cast<unsigned>(std::atoi(argv[7]));
   fmt::print("# texture\tN_eff\tparameter\tknown\tcovered\topen\tratio\tbias\n");
   Ranges ranges;
   std::vector<textures::Texture> all = textures::all(setting.length);

@@ -81,6 +81,16 @@ Field marks(Shape shape, double apart, const Field& phase) {
   });
 }
 
+// On arcs about a centre some way off, every fourth mark deeper: of a cutter of four teeth.
+Field arcs(Shape shape, double apart, const Field& phase, Random& random) {
+  const double far = 60 * apart * (1 + uniform(random)), angle = full_turn * uniform(random);
+  return over(shape, [&](double i, double j) {
+    const double r = std::hypot(i - far * std::cos(angle), j - far * std::sin(angle)),
+                 turns = r / apart + phase(static_cast<Index>(i), static_cast<Index>(j)) / 2;
+    return std::sin(full_turn * turns) + 0.5 * std::sin(full_turn * turns / 4);
+  });
+}
+
 Field student(const Isotropic& field, Shape shape, Random& random) {
   Field square = Field::Zero(shape.nx, shape.ny);
   for (int k = 0; k < 5; ++k) square += field(shape, random).square() / 5;
@@ -97,6 +107,10 @@ std::vector<Texture> made(double l) {
        [=](Shape shape, Random& random) -> Field {
          return (0.7 * coarse(shape, random) - 0.49).exp() * fine(shape, random);
        }},
+      {"strong_patches",
+       [=](Shape shape, Random& random) -> Field {
+         return (1.2 * coarse(shape, random) - 1.44).exp() * fine(shape, random);
+       }},
       {"hatch",
        [=](Shape shape, Random& random) {
          Field z = 0.2 * fine(shape, random);
@@ -106,6 +120,10 @@ std::vector<Texture> made(double l) {
       {"turned",
        [=](Shape shape, Random& random) -> Field {
          return marks(shape, 3 * l, wandering(shape, random)) + 0.3 * fine(shape, random);
+       }},
+      {"milled",
+       [=](Shape shape, Random& random) -> Field {
+         return arcs(shape, 3 * l, wandering(shape, random), random) + 0.3 * fine(shape, random);
        }},
       {"scratches",
        [=](Shape shape, Random& random) {
