@@ -11,6 +11,33 @@ namespace {
 // of an exponential one 35 and 17.
 constexpr double lost_of_first = 15, lost_of_second = 10;
 
+// The sums (2) from one lag after the other.
+class PowerSums {
+ public:
+  using Sums = std::array<double, EffectiveSampleSize::powers + 1>;
+
+  // `weight` as for_each_lag gives it.
+  void add(double weight, double rho) {
+    double power = weight;
+    for (std::size_t k = 1; k < sums_.size() && std::abs(power) > 1e-18; ++k) sums_[k] += power *= rho;
+  }
+  // One that is negative by noise is zero.
+  Sums sums() const {
+    Sums out = sums_;
+    for (double& s : out) s = std::max(s, 0.0);
+    return out;
+  }
+
+ private:
+  Sums sums_ = {};
+};
+
+PowerSums::Sums power_sums(const LagField& rho, const Pairs& pairs) {
+  PowerSums out;
+  for_each_lag(rho, pairs, [&](Index p, Index q, double weight) { out.add(weight, rho(p, q)); });
+  return out.sums();
+}
+
 // The share of the variance, and the modes for each independent height that is left, beyond which what a form
 // took cannot be told (form_modes.hpp).
 constexpr double most_taken = 0.5, most_modes = 1.0 / 3;
@@ -98,7 +125,7 @@ EffectiveSampleSize::EffectiveSampleSize(const LagField& correlation, const Pair
     : points_(pairs.points()),
       form_(form),
       correlated_(without_noise(correlation)),
-      sums_(CorrelationAlgebra(correlation, pairs).power_sums()),
+      sums_(power_sums(correlation.normalised(), pairs)),
       taken_(mean_power(1)) {
   if (form.degree() > 0) {
     const LagField rho = correlation.normalised().within(longest_lags(pairs.grid())),

@@ -3,7 +3,7 @@
 /// Let f be any function of the height x = (z - mean)/σ of a Gaussian field of correlation ρ. By the Hermite
 /// series f = Σ c_k He_k(x)/k! and Mehler's formula E[He_k(x) He_k(y)] = k! ρᵏ its mean over N points has
 ///     Var[1/N Σ f] = 1/N Σ_{k≥1} (c_k²/k!) S_k,                                                    (1)
-///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ      (stats/uncertainty/correlation_algebra.hpp).  (2)
+///     S_k = Σ_{p,q} (1 - |p|/nx)(1 - |q|/ny) ρ(p,q)ᵏ,                                             (2)
 /// N/S_k is the effective number of points of the k-th Hermite component, N for white noise, and to first
 /// order in 1/N
 ///     Var[z̄]  = σ² S_1/N          Var[Sq²] = 2σ⁴ S_2/N          Var[Sq] = σ² S_2/(2N)               (3)
@@ -61,7 +61,6 @@
 #include "core/field.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/spatial/pairs.hpp"
-#include "stats/uncertainty/correlation_algebra.hpp"
 #include "stats/uncertainty/form_modes.hpp"
 
 namespace asperity {
@@ -74,7 +73,7 @@ struct WeightedLag {
 
 class EffectiveSampleSize {
  public:
-  static constexpr int powers = PowerSums::powers;
+  static constexpr int powers = 512;  ///< of ρ, that are summed
 
   /// The sums (2) of a known correlation, normalised or not.
   EffectiveSampleSize(const LagField& correlation, const Pairs& pairs, const FormModes& form = {});

@@ -4,7 +4,6 @@
 #include "fields.hpp"
 #include "stats/measure/acf_estimate.hpp"
 #include "stats/spatial/acf_length.hpp"
-#include "stats/uncertainty/acf_error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -152,39 +151,6 @@ TEST_CASE("noise about a correlation of zero does not move the crossing before i
     CHECK(std::abs(lag - former) <= 0.002);
     former = lag;
   }
-}
-
-// 1/n Σ over one lag: E[z²]² = 1.
-TEST_CASE("white noise has ACF errors of 1/sqrt(pairs), and none at lag zero", "[acf-error][exact]") {
-  const AcfError error(triangular_correlation({1, 1}), grid(20, 30));
-  CHECK(relative_error(error.normalised(5, -6), 1 / std::sqrt(15.0 * 24)) <= 10 * epsilon);
-  CHECK(error.normalised(0, 0) == 0);
-}
-
-// 400 fields: the mean's standard error is SE/20. The spread of a spread is 1/√800 = 3.5 %, and up to twice
-// that for the skewed sums of squares near lag zero; four of them. 4.2 standard errors leave 1 % for 7 × 13
-// lags together; the ratio's own bias is of second order, 1/N_eff = 0.6 % of ρ.
-TEST_CASE("over an ensemble the normalised ACF is unbiased and as wide as Bartlett's formula says",
-          "[acf-error][statistics]") {
-  const Shape window{4, 3};
-  const Grid g = grid(48, 40);
-  const LagField rho = triangular_correlation(window);
-  const AcfError error(rho, g);
-  std::vector<Spread> normalised(7 * 13);
-  for (unsigned seed = 0; seed < 400; ++seed) {
-    const LagField acf =
-        estimate_autocorrelation(moving_average(g.shape, window, seed), g, {.max_lag = {6, 6}, .level = 0.0});
-    for (Index p = 0; p <= 6; ++p)
-      for (Index q = -6; q <= 6; ++q)
-        normalised[static_cast<std::size_t>(13 * p + 6 + q)].add(acf(p, q) / acf(0, 0));
-  }
-  for (Index p = 0; p <= 6; ++p)
-    for (Index q = -6; q <= 6; ++q) {
-      const Spread& of = normalised[static_cast<std::size_t>(13 * p + 6 + q)];
-      CAPTURE(p, q);
-      CHECK(std::abs(of.mean() - rho(p, q)) <= 4.2 * error.normalised(p, q) / 20 + 0.006 * rho(p, q));
-      CHECK(of.deviation() == Approx(error.normalised(p, q)).epsilon(0.2));
-    }
 }
 
 // ---- structure function ----

@@ -11,7 +11,6 @@
 #include "stats/spatial/acf_length.hpp"
 #include "stats/spatial/pairs.hpp"
 #include "stats/spectrum/spectrum.hpp"
-#include "stats/uncertainty/acf_error.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 
 using namespace asperity;
@@ -91,35 +90,21 @@ TEST_CASE("with holes the sums S_k are those over all pairs of points, over thei
   }
 }
 
-// 400 fields: a spread is known to 3.5 %, that of the skewed sums near lag zero to twice that; the weights of
-// the mask are an upper bound, and the mask's holes a fifth of the field: 20 % as for a complete field.
-TEST_CASE("over an ensemble with holes Bartlett's errors of the ACF and those of the moments hold",
-          "[missing][statistics]") {
+// 400 fields: a spread is known to 3.5 %.
+TEST_CASE("over an ensemble with holes the errors of the moments hold", "[missing][statistics]") {
   const Shape window{4, 3};
   const Grid g = grid(48, 40);
   const LagField rho = triangular_correlation(window);
   const Field holes = with_holes(Field::Zero(48, 40), 0.1, 217);
-  const Pairs pairs = Pairs::of(holes, g);
-  const AcfError error(rho, pairs);
-  const MomentErrors expected = standard_errors({.sq = 1}, EffectiveSampleSize(rho, pairs));
-  const std::pair<Index, Index> lags[] = {{1, 0}, {0, 2}, {2, -1}, {5, 5}};
-  Spread mean_height, sq, of_lag[4];
+  const MomentErrors expected = standard_errors({.sq = 1}, EffectiveSampleSize(rho, Pairs::of(holes, g)));
+  Spread mean_height, sq;
   for (unsigned seed = 0; seed < 400; ++seed) {
-    const Field z = moving_average(g.shape, window, 5000 + seed) + holes;
-    const Moments m = moments(z);
+    const Moments m = moments(moving_average(g.shape, window, 5000 + seed) + holes);
     mean_height.add(m.mean);
     sq.add(m.sq);
-    const LagField acf = estimate_autocorrelation(z, pairs, {.max_lag = {6, 6}, .level = 0.0});
-    for (std::size_t k = 0; k < 4; ++k) of_lag[k].add(acf(lags[k].first, lags[k].second) / acf(0, 0));
   }
   CHECK(mean_height.deviation() == Approx(expected.mean).epsilon(0.1));
   CHECK(sq.deviation() == Approx(expected.sq).epsilon(0.15));
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto [p, q] = lags[k];
-    CAPTURE(p, q);
-    CHECK(std::abs(of_lag[k].mean() - rho(p, q)) <= 3.5 * error.normalised(p, q) / 20 + 0.006 * rho(p, q));
-    CHECK(of_lag[k].deviation() == Approx(error.normalised(p, q)).epsilon(0.2));
-  }
 }
 
 TEST_CASE("the PSD of a field with holes adds up to its Sq squared", "[missing][exact]") {

@@ -8,8 +8,7 @@
 #include "core/error.hpp"
 #include "fields.hpp"
 #include "stats/hypothesis/specification.hpp"
-#include "stats/uncertainty/acf_error.hpp"
-#include "stats/uncertainty/correlation_algebra.hpp"
+#include "stats/uncertainty/effective_size.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -83,8 +82,7 @@ double most_of(double n, double p) { return n * p + 3 * std::sqrt(n * p * (1 - p
 
 // Odd periods: at half an even one an oblique correlation has two values. Lags beyond half a period once
 // counted again in S_k.
-TEST_CASE("of a periodic field each lag counts once, however long the correlation",
-          "[pairs][correlation-algebra][exact]") {
+TEST_CASE("of a periodic field each lag counts once, however long the correlation", "[pairs][exact]") {
   for (const Shape shape : {Shape{1, 1}, {1, 9}, {7, 1}, {3, 7}, {9, 7}, {25, 3}})
     for (const LagField& rho : {oblique(), triangular_correlation({4, 3})}) {
       const Grid torus = grid(shape.nx, shape.ny, true);
@@ -96,27 +94,15 @@ TEST_CASE("of a periodic field each lag counts once, however long the correlatio
 
 // Lags that the field does not have once counted: 7.5 in place of 1.9 of a row, of a correlation of four
 // points.
-TEST_CASE("a tapered correlation has the pairs of its field", "[pairs][exact]") {
+TEST_CASE("a correlation longer than the field has the pairs of its field", "[pairs][exact]") {
   for (const Shape shape : narrow_shapes)
     for (const LagField& rho :
          {oblique(), triangular_correlation({5, 4}), triangular_correlation({40, 40})}) {
       const Grid g = grid(shape.nx, shape.ny);
       const Eigen::MatrixXd C = covariance(rho, g);
       CAPTURE(shape.nx, shape.ny);
-      CHECK(relative_error(CorrelationAlgebra(rho, g).convolution({0, 0}, false)(0, 0), mean_trace(C * C)) <=
-            1e-13);
+      CHECK(relative_error(EffectiveSampleSize(rho, g).sum(2), mean_trace(C * C)) <= 1e-13);
     }
-}
-
-// Of one row Bartlett's sums are those of the row. They were those of the plane, in which the lags of an
-// oblique correlation err otherwise.
-TEST_CASE("the errors of two lags of a row are correlated as those of a profile", "[acf-error][law]") {
-  const Grid row = grid(1, 400);
-  const LagField plane = oblique(), profile(plane.half_plane().topRows(1));
-  const std::vector<Shape> lags{{0, 1}, {0, 2}, {0, 4}};
-  const Eigen::MatrixXd found = AcfError(plane, row).correlation(lags),
-                        expected = AcfError(profile, row).correlation(lags);
-  CHECK((found - expected).cwiseAbs().maxCoeff() <= 1e-13);
 }
 
 // 1 × 512 of a correlation of 17 points was refused in every case, at p = 5e-4 for 0.56 standard errors. Each
