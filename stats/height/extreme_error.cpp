@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace asperity {
@@ -74,7 +73,7 @@ double scale_of_tail(const std::vector<HighPoint>& summits, Of of) {
 
 std::optional<ExtremeError> extreme_error(const Field& heights, const Grid& grid, double length_x,
                                           double length_y, double error_of_mean) {
-  constexpr double low = 1.89, high = 5.14, heaviest = 0.6, t_of_mean = 2.2;
+  constexpr double spread = 0.9, low = 1.89, high = 5.14, heaviest = 0.6, t_of_mean = 2.2;
   const std::vector<HighPoint> summits = summits_of(heights, grid, length_x, length_y);
   if (summits.size() < summits_apart) return std::nullopt;
   const double x = summits.front().height, a = scale_of_tail(summits, [](double height) { return height; }),
@@ -82,7 +81,7 @@ std::optional<ExtremeError> extreme_error(const Field& heights, const Grid& grid
                power = std::min(relative, heaviest);
   if (!(a > 0)) return std::nullopt;  // equal heights
   const double of_mean = t_of_mean * error_of_mean;
-  return ExtremeError{std::hypot(std::numbers::pi / std::sqrt(6) * std::max(a, x * relative), error_of_mean),
+  return ExtremeError{std::hypot(spread * x * relative, error_of_mean),
                       Interval::of(x, std::min(x - std::hypot(low * a, of_mean), x * std::exp(-low * power)),
                                    std::max(x + std::hypot(high * a, of_mean), x * std::exp(high * power)))};
 }

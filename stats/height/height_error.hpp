@@ -18,7 +18,7 @@
 /// of the variance, known to √(2/m); L, 0.4 at most, is about three quarters of what an exponential
 /// correlation loses to the next modes. Without a form the share is (error of the mean)²/Sq².
 ///
-/// Accuracy  as in long_waves.hpp; validation/error_coverage.
+/// Accuracy  docs/accuracy/asperity-stats.md
 /// Cost      one pass, 80 operations a point; another one for quantiles, of some 30.
 ///
 /// R. S. Woodruff, Confidence intervals for medians and other position measures,

@@ -29,7 +29,7 @@
 ///           and there is no error.
 /// Accuracy  first order. In a prototype on 22 textures of 300 fields, patchy ones, cross-hatch, dust and
 ///           scratches among them, 95 % intervals at N_eff ≥ 60 hold the truth in 91 to 99 %, and stated over
-///           true errors are 0.71 to 1.3: validation/error_coverage.
+///           true errors are 0.71 to 1.3: docs/accuracy/asperity-stats.md.
 /// Cost      a pass of K + 20 operations a point for K waves.
 ///
 /// F. R. Hampel et al., Robust Statistics: The Approach Based on Influence Functions, Wiley 1986, 2.1.

@@ -11,7 +11,7 @@
 /// of n > 10 K of them the K longest are a tenth or less. Of fewer points there is no error; of one it would
 /// be that of the step of a difference.
 ///
-/// Accuracy  as in long_waves.hpp; validation/error_coverage.
+/// Accuracy  docs/accuracy/asperity-stats.md
 /// Cost      one pass, 200 operations a point.
 #pragma once
 

@@ -66,12 +66,16 @@ Estimate sum_of_extremes(const Heights& h) {
   return out;
 }
 
-// The kurtosis of any distribution is 1 at least.
+// The kurtosis of any distribution is 1 at least. That of heavy tails is decided by a few heights, of which
+// the field's own waves tell little.
 template <>
 Estimate moment<&Moments::sku, &MomentErrors::sku, &MomentIntervals::sku>(const Heights& h) {
+  constexpr double heavy = 4;
+  const double value = h.m().sku;
   Interval ends = h.interval.sku;
-  ends.low = std::max(ends.low, std::min(h.m().sku, 1.0));
-  return {h.m().sku, h.error.sku, ends};
+  ends.low = std::max(ends.low, std::min(value, 1.0));
+  const bool rough = value > heavy && std::isfinite(h.error.sku) && !h.sample.correlation_gives_errors();
+  return {value, h.error.sku, ends, rough ? "its error is rough, as few heights decide it" : ""};
 }
 
 constexpr Definition<Heights> height_table[] = {

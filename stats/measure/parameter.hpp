@@ -20,7 +20,7 @@ struct Estimate {
   double value;
   double standard_error = unknown;
   std::optional<Interval> interval = {};
-  std::string why = {};  ///< why the value or its error is missing, where it is not why others are
+  std::string why = {};  ///< why the value or its error is missing or rough, where it is not why others are
   bool is_bound = false;
 };
 
@@ -32,14 +32,14 @@ struct Parameter {
   std::string meaning;
   /// Of 95 % confidence; absent: 1.96 standard errors about the value.
   std::optional<Interval> interval = {};
-  std::string why = {};   ///< why the value or its error is missing
+  std::string why = {};   ///< why the value or its error is missing or rough
   bool is_bound = false;  ///< the quantity is below the value, the least that its simulation tells
 
   Interval interval_95() const {
     if (!std::isfinite(standard_error)) return {};
     return interval.value_or(Interval::about(value, half_width_95 * standard_error));
   }
-  /// Why a value, error or interval is missing; "" if nothing is missing, or an error no theory gives.
+  /// Why a value, error or interval is missing or rough; "" if none is, or an error no theory gives.
   std::string note() const { return why.empty() ? interval_95().why : why; }
 };
 

@@ -123,27 +123,24 @@ double profiles_worth_one(const LagField& rho, const Pairs& pairs, Axis1D along)
 
 // (4) of a profile, a column each; NaN where it is straight.
 Eigen::ArrayXXd local_functions(const Eigen::ArrayXd& heights, double round_off) {
-  Eigen::ArrayXXd out = Eigen::ArrayXXd::Constant(heights.size(), 4, none);
+  Eigen::ArrayXXd out = Eigen::ArrayXXd::Constant(heights.size(), 2, none);
   auto mean = [](const Eigen::ArrayXd& f) {
     const ValidSum sum = sum_of_valid(f);
     return sum.sum / sum.count;
   };
-  const Eigen::ArrayXd h = heights - mean(heights), h2 = h.square(), h3 = h2 * h;
+  const Eigen::ArrayXd h = heights - mean(heights), square = h.square();
   if (!(h.abs() > round_off).any()) return out;
-  const double m2 = mean(h2), q = std::sqrt(m2), m3 = mean(h3), m4 = mean(h2.square()), sk = m3 / (m2 * q),
-               ku = m4 / (m2 * m2);
+  const double q = std::sqrt(mean(square));
   out.col(0) = h.abs() - mean(h.sign()) * h;
-  out.col(1) = q + (h2 - m2) / (2 * q);
-  out.col(2) = sk + (h3 - m3 - 3 * m2 * h) / (m2 * q) - 1.5 * sk * (h2 - m2) / m2;
-  out.col(3) = ku + (h2.square() - m4 - 4 * m3 * h) / (m2 * m2) - 2 * ku * (h2 - m2) / m2;
+  out.col(1) = q + (square - q * q) / (2 * q);
   return out;
 }
 
 // Their means over all profiles, those that are rows of the field.
 LocalMeans means_in_plane(const Field& rows, const Grid& grid, const FieldExtent& extent, double round_off) {
-  LocalSums sums(grid, 4);
+  LocalSums sums(grid, 2);
   sums.add_rows(rows.rows(), 1, [&](Index i, LocalSums::Values& values) {
-    values.rightCols(4) = local_functions(rows.row(i).transpose(), round_off).matrix();
+    values.rightCols(2) = local_functions(rows.row(i).transpose(), round_off).matrix();
   });
   return sums.means(extent);
 }
@@ -194,7 +191,7 @@ ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, const
         Eigen::ArrayXd::NullaryExpr(std::ssize(profiles), [&](Index j) { return profiles[size(j)][k]; }),
         share, across);
   const LocalMeans plane = means_in_plane(heights, grid, extent, along, round_off);
-  for (Index k = 0; k < 4; ++k)
+  for (Index k = 0; k < 2; ++k)
     if (std::isfinite(out.of[size(k)].of_mean.error))
       out.of[size(k)].of_mean = plane.error([k](const Eigen::VectorXd& m) { return m(k); });
   out.profiles = out.of[profile_q].count;

@@ -15,10 +15,10 @@
 ///
 /// Over m profiles a parameter has a mean and a spread, with divisor m, whose standard errors come from the
 /// longest waves across the profiles (stats/uncertainty/sequence_error.hpp), whatever heights and correlation
-/// are. Means of a, q, sk and ku are those of local functions of all points besides, whose waves of the plane
-/// tell more (stats/uncertainty/long_waves.hpp): with h the height above the mean of its profile
-///     a:   |h| - h mean(sign h),                    sk:  sk + (h³ - m₃ - 3q² h)/q³ - 1.5 sk (h² - q²)/q²,
-///     q:   q + (h² - q²)/(2q),                      ku:  ku + (h⁴ - m₄ - 4m₃ h)/q⁴ - 2 ku (h² - q²)/q². (4)
+/// are. Means of a and q are those of local functions of all points besides, whose waves of the plane tell
+/// more (stats/uncertainty/long_waves.hpp): with h the height above the mean of its profile
+///     a:   |h| - h mean(sign h),          q:   q + (h² - q²)/(2q).                                       (4)
+/// sk and ku of short profiles stray less than such functions, which a few heights decide.
 /// The mean squares of profiles at a distance of j profiles are correlated by
 ///     g(j) = Σ_p w_p ρ(p,j)² / Σ_p w_p ρ(p,0)²,   w_p the share of pairs at lag p along the profile,     (3)
 /// if the heights are Gaussian. Of m profiles, m/c are independent, c = Σ_j w_j g(j) over all distances.
@@ -28,11 +28,8 @@
 ///           Missing points are left out; no stencil (2) and no element spans one.
 /// Accuracy  (1) to round-off; (2) of a wave u = qΔ is (45 sin u - 9 sin 2u + sin 3u)/(30u), 1 - u⁶/140,
 ///           times its slope. p, v of a wave of N points a period are low by up to 5/N².
-///           Stated over true error and coverage of the 95 % intervals, the least and the most of eleven
-///           textures, 7 to 43 profiles independent (validation/error_coverage): of means
-///           0.95 to 1.04, 88 to 96 %; of spreads 0.83 to 1.11, 90 to 99 %. After a form of degree 2 means
-///           have 0.92 to 1.17 and 89 to 98 %, those of plateaus 0.71 to 0.99 and 85 to 95 %: their profiles
-///           all bend with the error of the form.
+///           Errors: docs/accuracy/asperity-stats.md. After a form of degree 2 they are 0.92 to 1.17 of the
+///           true ones, those of plateaus 0.71 to 0.99: their profiles all bend with the error of the form.
 /// Cost      a few passes over the data, one over the correlation.
 ///
 /// ISO 21920-2:2021; ISO 4287:1997, 4.3.1 for (2). Sm uses its limit of 10 % Rz, but not that of 1 % in

@@ -41,34 +41,41 @@ AxisWaves::AxisWaves(const Grid& grid)
 
 LongWaves::LongWaves(const Grid& grid, const FieldExtent& extent, double most) {
   constexpr double round_off = 1e-9;
-  std::vector<double> nu;
+  std::vector<double> nu, half;
   const auto [nx, ny] = grid.shape;
   for (Index j = 0; j <= std::min(AxisWaves::most, nx - 1); ++j)  // of more waves a row has none
     for (Index k = 0; k <= std::min(AxisWaves::most, ny - 1); ++k) {
-      const auto along_x = static_cast<double>(half_waves(j, grid.periodic.x)),
-                 along_y = static_cast<double>(half_waves(k, grid.periodic.y)),
-                 number = along_x * along_x / extent.elongation + along_y * along_y * extent.elongation;
-      if (number > 0 && number <= most * (1 + round_off)) all_.push_back({j, k}), nu.push_back(number);
+      const auto x = static_cast<double>(half_waves(j, grid.periodic.x)),
+                 y = static_cast<double>(half_waves(k, grid.periodic.y)),
+                 number = x * x / extent.elongation + y * y * extent.elongation;
+      if (!(number > 0 && number <= most * (1 + round_off))) continue;
+      all_.push_back({j, k}), nu.push_back(number), half.insert(half.end(), {x, y});
     }
-  nu_ = Eigen::Map<const Eigen::ArrayXd>(nu.data(), std::ssize(nu));
+  numbers_.nu = Eigen::Map<const Eigen::ArrayXd>(nu.data(), std::ssize(nu));
+  numbers_.half_waves = Eigen::Map<const Eigen::Array<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(
+      half.data(), std::ssize(nu), 2);
 }
 
 // Below `round_off` all points lie at one place.
 LongWaves::Directions LongWaves::directions(const AxisWaves::Squares& squares) const {
-  constexpr double least_share = 0.2, round_off = 1e-12;
+  constexpr double least_share = 0.2, round_off = 1e-12, complete = 1e-9;
   std::vector<Index> own;
   for (const Wave& wave : all_) own.push_back(AxisWaves::number(wave.a, wave.b));
   const double n = squares(0, 0);
-  if (!(n > 0) || own.empty()) return {Eigen::MatrixXd(0, std::ssize(own)), Eigen::ArrayXd(0)};
+  if (!(n > 0) || own.empty()) return {Eigen::MatrixXd(0, std::ssize(own))};
   const Eigen::VectorXd mean = squares(own, 0) / n;
-  const Eigen::MatrixXd some =
-      orthonormal(squares(own, own) / n - mean * mean.transpose(), least_share, round_off);
-  if (some.rows() == 0) return {some, Eigen::ArrayXd(0)};
+  const Eigen::MatrixXd covariance = squares(own, own) / n - mean * mean.transpose();
+  const auto one = Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols());
+  if ((covariance - one).cwiseAbs().maxCoeff() <= complete) return {one, numbers_};
+  const Eigen::MatrixXd some = orthonormal(covariance, least_share, round_off);
+  if (some.rows() == 0) return {some};
   const Eigen::MatrixXd e = some.rowwise().normalized();
-  Eigen::MatrixXd turn = covariance_root(e * nu_.matrix().asDiagonal() * e.transpose());
-  const Eigen::ArrayXd nu = turn.colwise().squaredNorm();
+  Eigen::MatrixXd turn = covariance_root(e * numbers_.nu.matrix().asDiagonal() * e.transpose());
   turn.colwise().normalize();
-  return {turn.transpose() * some, nu};
+  const Eigen::MatrixXd share = (turn.transpose() * e).cwiseAbs2();
+  return {turn.transpose() * some,
+          {(share * numbers_.nu.matrix()).array(),
+           (share * numbers_.half_waves.square().matrix()).array().sqrt()}};
 }
 
 WaveError LocalMeans::error(const Function& g) const {
@@ -138,7 +145,7 @@ LocalMeans LocalSums::means(const FieldExtent& extent) const {
   }
   const LongWaves::Directions directions = long_waves.directions(sums_.squares);
   out.waves_ = of_waves * directions.factors.transpose();
-  out.spectra_ = WaveSpectra(directions.nu);
+  out.spectra_ = WaveSpectra(directions.numbers);
   out.means_ = means.tail(functions_);
   out.deviations_ = (sums_.powers / n - means.cwiseAbs2()).tail(functions_).cwiseMax(0).cwiseSqrt();
   return out;

@@ -20,7 +20,7 @@
 /// Symbols   N  points      ν_x, ν_y  half waves along the sides      N_p  independent patches
 ///           (stats/uncertainty/effective_size.hpp)
 /// Scope     means over a field that holds some ten independent values or more.
-/// Accuracy  validation/error_coverage, and wave_spectra.hpp.
+/// Accuracy  docs/accuracy/asperity-stats.md, and wave_spectra.hpp.
 /// Cost      for each of m functions 14 operations a point for the waves and m for Var[f]; 100 a point for
 ///           (3) where a row has missing heights.
 #pragma once
@@ -81,18 +81,18 @@ class LongWaves {
   LongWaves() = default;
   LongWaves(const Grid& grid, const FieldExtent& extent, double most = reach);
   const std::vector<Wave>& all() const { return all_; }
-  const Eigen::ArrayXd& numbers() const { return nu_; }  ///< their ν
+  const LongWaveNumbers& numbers() const { return numbers_; }
 
   /// (3), (4).
   struct Directions {
     Eigen::MatrixXd factors = {};  ///< e_k/√λ_k, a row each
-    Eigen::ArrayXd nu = {};
+    LongWaveNumbers numbers = {};  ///< (4), and likewise ν_x², ν_y²
   };
   Directions directions(const AxisWaves::Squares& squares) const;
 
  private:
   std::vector<Wave> all_ = {};
-  Eigen::ArrayXd nu_ = {};
+  LongWaveNumbers numbers_ = {};
 };
 
 /// The means of some local functions and their long waves.

@@ -14,7 +14,7 @@ WaveError error_of(const Eigen::ArrayXd& f, double count, bool periodic) {
   const Eigen::MatrixXd u = axis_waves(f.size(), periodic, waves).rightCols(waves);
   const Eigen::ArrayXd nu = Eigen::ArrayXd::NullaryExpr(
       waves, [periodic](Index k) { return std::pow(static_cast<double>(half_waves(k + 1, periodic)), 2); });
-  return WaveSpectra(nu).error((u.transpose() * f.matrix() / count).array().square());
+  return WaveSpectra({nu}).error((u.transpose() * f.matrix() / count).array().square());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 ///
 /// Symbols   v_j  values, in the order of their places; NaN where there is none     m  their number
 /// Scope     any correlation and distribution, three independent values or more; heavy tails need more.
-/// Accuracy  validation/error_coverage: profile parameters (stats/profile/profile.hpp).
+/// Accuracy  docs/accuracy/asperity-stats.md: profile parameters (stats/profile/profile.hpp).
 /// Cost      50 operations a value.
 #pragma once
 

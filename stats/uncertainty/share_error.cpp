@@ -56,7 +56,7 @@ void ShareErrors::add(const Field& z, const std::function<Index(double)>& class_
   at_all_ = waves_.rowwise().sum();
   const LongWaves::Directions directions = long_waves_.directions(of_points_);
   directions_ = directions.factors;
-  spectra_ = WaveSpectra(directions.nu);
+  spectra_ = WaveSpectra(directions.numbers);
 }
 
 void ShareErrors::accumulate() {
@@ -79,27 +79,67 @@ WaveError ShareErrors::Function::error(double slope) const {
   return of_.spectra_.error(waves.array().square());
 }
 
+namespace {
+
+constexpr double enough = 10;  // points
+
+// 1/n' and the degrees of freedom.
+struct Certainty {
+  double inverse = 0, degrees = 1;
+};
+
+double variance_of(const Frequency& f, double most) { return f.value * (1 - f.value / most); }
+
+// Rows within a quarter of the standard deviation of the distribution.
+Index rows_around(const std::vector<Frequency>& frequencies) {
+  double sum = 0, first = 0, second = 0;
+  for (std::size_t k = 0; k < frequencies.size(); ++k) {
+    const double f = frequencies[k].value, place = static_cast<double>(k);
+    sum += f, first += f * place, second += f * place * place;
+  }
+  const double mean = first / sum;
+  return sum > 0 ? static_cast<Index>(std::sqrt(std::max(second / sum - mean * mean, 0.0)) / 4) : 0;
+}
+
+// The mean of the rows around that have points enough, nearer ones counting more.
+Certainty around(const std::vector<Frequency>& frequencies, Index row, Index rows, double most) {
+  Certainty out{0, 0};
+  double weights = 0;
+  const Index last = std::ssize(frequencies) - 1;
+  for (Index k = std::max<Index>(row - rows, 0); k <= std::min(row + rows, last); ++k) {
+    const Frequency& f = frequencies[static_cast<std::size_t>(k)];
+    const double variance = variance_of(f, most);
+    if (k != row && !(f.points >= enough && variance > 0)) continue;
+    const double weight = static_cast<double>(rows + 1 - std::abs(k - row));
+    weights += weight;
+    out.inverse += variance > 0 ? weight * f.error * f.error / variance : 0;
+    out.degrees += weight * f.degrees;
+  }
+  return {out.inverse / weights, out.degrees / weights};
+}
+
+}  // namespace
+
 void set_intervals(std::vector<Frequency>& frequencies, double most) {
-  constexpr double few = 10, least_independent = 2;
-  const auto top = std::ranges::max_element(frequencies, {}, &Frequency::points);
-  auto set = [&](auto begin, auto end) {
-    double independent = std::numeric_limits<double>::infinity(), t = 0;
-    for (auto it = begin; it != end; ++it) {
-      const double variance = it->value * (1 - it->value / most);
-      if (it->points >= few || it == begin)
-        independent = it->error > 0 ? variance / (it->error * it->error) : independent,
-        t = student_quantile(0.025, it->degrees);
-      else
-        it->error = std::sqrt(variance / independent);
-      const Interval score = score_interval(it->value, independent, most, t);
-      it->interval =
-          Interval::of(it->value, std::max(0.0, it->value - std::hypot(it->value - score.low, it->fall)),
-                       std::min(most, it->value + std::hypot(score.high - it->value, it->rise)));
-      if (!(it->value * independent >= least_independent)) it->error = NAN;
+  constexpr double least_independent = 2;
+  const std::vector<Frequency> own = frequencies;
+  const Index top = std::ranges::max_element(own, {}, &Frequency::points) - own.begin(),
+              rows = rows_around(own);
+  auto set = [&](Index begin, Index end, Index step) {
+    Certainty of;
+    for (Index k = begin; k != end; k += step) {
+      Frequency& f = frequencies[static_cast<std::size_t>(k)];
+      if (f.points >= enough || k == begin) of = around(own, k, rows, most);
+      f.error = std::sqrt(variance_of(f, most) * of.inverse);
+      const double t = of.inverse > 0 ? student_quantile(0.025, of.degrees) : 0;
+      const Interval score = score_interval(f.value, 1 / of.inverse, most, t);
+      f.interval = Interval::of(f.value, std::max(0.0, f.value - std::hypot(f.value - score.low, f.fall)),
+                                std::min(most, f.value + std::hypot(score.high - f.value, f.rise)));
+      if (!(f.value >= least_independent * of.inverse)) f.error = NAN;
     }
   };
-  set(top, frequencies.end());
-  set(std::make_reverse_iterator(top + 1), frequencies.rend());
+  set(top, std::ssize(own), 1);
+  set(top, -1, -1);
 }
 
 }  // namespace asperity

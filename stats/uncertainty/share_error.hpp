@@ -12,7 +12,9 @@
 /// A share is not below 0, and the error of a rare one is poorly known. Its interval is the score interval:
 /// of the two ends p, each is t errors of its own away from f,
 ///     (p - f)² = t² p (1 - p)/n',     n' = f (1 - f)/e²,                                             (2)
-/// with the error e of (1), n' independent points, and Student's t of its degrees of freedom. Of a density,
+/// with the error e of (1), n' independent points, and Student's t of its degrees of freedom. As n' hardly
+/// differs between neighbouring rows, but its estimate does, 1/n' and the degrees are means over the rows
+/// within a quarter of the standard deviation of the distribution, and errors follow from them. Of a density,
 /// there is no 1 that bounds it: p for p (1 - p). Where fewer than ten points are in the class, n' and t are
 /// those of the nearest class towards the most frequent one that has more, and e follows from n'. Where fewer
 /// than two independent heights tell of a class, n' f < 2, it has its interval, but no error.
@@ -20,9 +22,7 @@
 /// Symbols   f  share      e  its error      u_k  long waves      z  height [unit of the field]
 /// Scope     of a part of a field, such as its cells in contact, the other points are NaN: the share is
 ///           then a ratio of two sums, both random.
-/// Accuracy  stated over true error and coverage of the 95 % intervals, the least and the most of eleven
-///           textures at N_eff 290 to 1230 (validation/error_coverage): of densities at three heights
-///           0.93 to 1.13, 92 to 98 %; of shares of half a Sq at four 0.94 to 1.07, 88 to 98 %. Of 200
+/// Accuracy  of densities and shares of heights docs/accuracy/asperity-stats.md. Of 200
 ///           periodic contacts of 128 × 128 cells under one load, with correlation lengths of 1/32 and 1/16
 ///           of the side and some 15 % of the cells in contact, intervals of the quartiles of the pressure
 ///           cover 93 to 99 %, stated over true error 0.94 to 1.05, those of the gap 92 to 98 %, 0.94 to

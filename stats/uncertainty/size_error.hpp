@@ -12,9 +12,7 @@
 ///
 /// Symbols   N  points      S_k  sums of ρᵏ      N_1, N_2  estimates
 /// Scope     k = 2, 3, 4; any distribution of the heights; for k = 2 no lay.
-/// Accuracy  stated over true error and coverage of the 95 % intervals, the least and the most of eleven
-///           textures (validation/error_coverage): 0.90 to 1.12, 91 to 97 % at N_2 290 to 1230;
-///           0.82 to 2.13, 92 to 100 % at 33 to 140; 0.94 to 2.35, 92 to 100 % at 8 to 35.
+/// Accuracy  docs/accuracy/asperity-stats.md
 /// Cost      the waves over lags up to twice those that hold 95 % of Σ ρ², and two estimates of S_k from them
 ///           for each wave: a third of what the rest of the height parameters costs.
 #pragma once

@@ -5,24 +5,28 @@
 /// ν_k and mean zero, the field tells the amplitudes c_k. If the spectrum falls from wave number zero on as
 /// s(ν), s(0) = 1, the variance of the mean is known from each of them:
 ///     Var[f̄] ≈ m = 1/K Σ_k c_k²/s(ν_k).                                                                (1)
-/// How it falls is not known, only that it is one of 55 shapes,
+/// How it falls is not known, only that it is one of 62 shapes. Of them 54 fall with the length of the wave,
 ///     s_i(ν) = a + (1 - a) g(bν),   g(x) = e^(-x) or (1 + 2x)^(-3/2),   a = 0, 0.1, 0.4,
-///     b = 0.001 … 0.3 in nine equal ratios,   and s = 1,                                               (2)
+///     b = 0.001 … 0.3 in nine equal ratios,                                                            (2)
 /// those of Gaussian and exponential correlations of many lengths, without and with noise of single points.
-/// Of prior probability 1/6 each, and 1 for s = 1, they have by the amplitudes the probability
-///     p_i ∝ prior_i Π_k s_i(ν_k)^(-1/2) m_i^(-K/2),                                                    (3)
+/// Seven are ridges, of lines that cross the field, such as grooves and scratches: their power lies at waves
+/// across them. At d half waves beside a ridge at the angle φ a line across the field has the mean power
+/// 2/(πd)², and waves (x, y) are cosines of both signs,
+///     s_i = ½ Σ_± 1/(1 + ½π² d²),   d = x sin φ ± y cos φ,   φ = 0 … π/2 in six steps.                  (3)
+/// One is s = 1. Of prior probability 1/16 each, 1/12 the ridges, and 1 for s = 1, they have by the
+/// amplitudes the probability
+///     p_i ∝ prior_i Π_k s_i(ν_k)^(-1/2) m_i^(-K/2),                                                    (4)
 /// and the error and its degrees of freedom are
 ///     SE = exp(½ Σ p_i ln m_i),     v = Σ p_i ln² m_i - (Σ p_i ln m_i)²,
-///     degrees = max(1.6, 2/(2/K + v) · N_g/(N_g + 10)),     N_g = 0.785/Σ p_i b_i.                      (4)
+///     degrees = max(1.6, 2/(2/K + v) · N_g/(N_g + 20)),     N_g = 0.785/Σ p_i b_i.                      (5)
 /// N_g counts the patches of f that are independent, as the waves tell: of few of them c_k² is skewed, and
 /// low where f̄ is low.
 ///
-/// Symbols   ν  as in stats/uncertainty/long_waves.hpp      a, b  noise, decay
-/// Accuracy  for c_k = 1 SE = 1.13 at K = 21 with 6.5 degrees of freedom: flat spectra may fall. Seen in a
-///           prototype on 22 textures of 300 fields, 587 parameters at N_eff ≥ 60: 95 % intervals hold the
-///           truth in less than 90 % for 7 of them, and stated over true errors are below 0.8 for 28, above
-///           1.25 for 9. From N_eff = 300 on errors are 5 to 25 % too large. More: validation/error_coverage.
-/// Cost      110 K operations and 110 logarithms.
+/// Symbols   ν  as in stats/uncertainty/long_waves.hpp      x, y  half waves along the sides
+///           a, b  noise, decay
+/// Accuracy  for c_k = 1 SE = 1.10 at K = 21 with 5.7 degrees of freedom, of white noise 1.17 as an rms: flat
+///           spectra may fall. Of the tools' figures, and on which textures: docs/accuracy/asperity-stats.md
+/// Cost      124 K operations and 124 logarithms.
 ///
 /// U. K. Müller, HAC corrections for strongly autocorrelated time series, J. Bus. Econ. Stat. 32 (2014)
 /// 311-322, for long waves in one dimension; J. A. Hoeting et al., Bayesian model averaging, Stat. Sci. 14
@@ -32,6 +36,12 @@
 #include <Eigen/Core>
 
 namespace asperity {
+
+/// Of some waves, a row a wave.
+struct LongWaveNumbers {
+  Eigen::ArrayXd nu = {};
+  Eigen::ArrayX2d half_waves = {};  ///< x, y; without them, and along one side, there are no ridges
+};
 
 struct WaveError {
   double error = 0;    ///< 0 where nothing varies, NaN without a wave
@@ -43,11 +53,10 @@ struct WaveError {
 class WaveSpectra {
  public:
   WaveSpectra() = default;
-  /// Of waves of these numbers.
-  explicit WaveSpectra(const Eigen::ArrayXd& nu);
+  explicit WaveSpectra(const LongWaveNumbers& numbers);
 
   Eigen::Index waves() const { return inverse_.cols(); }  ///< K
-  /// (4) of c_k².
+  /// (5) of c_k².
   WaveError error(const Eigen::ArrayXd& squares) const;
   /// Factors w_k of which SE² = Σ w_k c_k².
   Eigen::ArrayXd weights(const Eigen::ArrayXd& squares) const;

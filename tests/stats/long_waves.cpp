@@ -2,6 +2,7 @@
 #include "stats/uncertainty/long_waves.hpp"
 
 #include <array>
+#include <random>
 
 #include "fields.hpp"
 #include "holes.hpp"
@@ -11,7 +12,6 @@
 #include "stats/measure.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/uncertainty/interval.hpp"
-#include "stats/uncertainty/sequence_error.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -43,24 +43,33 @@ Field half_waves(Shape shape, double count, double phase = 0) {
 
 }  // namespace
 
-// Computed once by the formulas in another language (numpy).
+// Computed once by the formulas in another language (Python).
 TEST_CASE("flat and falling spectra have the errors and degrees of freedom of the average over spectra",
           "[wave-spectra][exact]") {
   const LongWaves waves(grid(64, 64), {100, 1});
   REQUIRE(waves.all().size() == 21);
   const WaveSpectra spectra(waves.numbers());
   const WaveError flat = spectra.error(Eigen::ArrayXd::Ones(21)),
-                  falling = spectra.error((-0.05 * waves.numbers()).exp());
-  CHECK(std::abs(flat.error - 1.125826) <= 5e-7);
-  CHECK(std::abs(flat.degrees - 6.4565) <= 5e-5);
-  CHECK(std::abs(falling.error - 0.948435) <= 5e-7);
-  CHECK(std::abs(falling.degrees - 3.8872) <= 5e-5);
+                  falling = spectra.error((-0.05 * waves.numbers().nu).exp());
+  CHECK(std::abs(flat.error - 1.103438) <= 5e-7);
+  CHECK(std::abs(flat.degrees - 5.6721) <= 5e-5);
+  CHECK(std::abs(falling.error - 0.929261) <= 5e-7);
+  CHECK(std::abs(falling.degrees - 3.0083) <= 5e-5);
+  // Of a ridge at 60°.
+  const Eigen::ArrayX2d& half = waves.numbers().half_waves;
+  auto beside = [&](double side) -> Eigen::ArrayXd {
+    const Eigen::ArrayXd d = std::sqrt(0.75) * half.col(0) + 0.5 * side * half.col(1);
+    return 0.5 / (1 + 0.5 * std::pow(std::numbers::pi, 2) * d.square());
+  };
+  const WaveError ridge = spectra.error(beside(1) + beside(-1));
+  CHECK(std::abs(ridge.error - 0.862846) <= 5e-7);
+  CHECK(std::abs(ridge.degrees - 2.9601) <= 5e-5);
   // It has the unit of the amplitudes.
   const WaveError scaled = spectra.error(Eigen::ArrayXd::Constant(21, 1e-18));
   CHECK(relative_error(scaled.error, 1e-9 * flat.error) <= 1e-12);
   CHECK(relative_error(scaled.degrees, flat.degrees) <= 1e-12);
   CHECK(spectra.error(Eigen::ArrayXd::Zero(21)).error == 0);
-  CHECK(std::isnan(WaveSpectra(Eigen::ArrayXd(0)).error(Eigen::ArrayXd(0)).error));
+  CHECK(std::isnan(WaveSpectra(LongWaveNumbers{}).error(Eigen::ArrayXd(0)).error));
   // By its own weights a function has its own error.
   const Eigen::ArrayXd squares = Eigen::ArrayXd::LinSpaced(21, 1, 3);
   CHECK(relative_error((spectra.weights(squares) * squares).sum(),
@@ -69,12 +78,12 @@ TEST_CASE("flat and falling spectra have the errors and degrees of freedom of th
 
 namespace {
 
-// Of the amplitude A in one of the waves of this number ν.
-double error_of_one(const Grid& g, double elongation, double nu, double amplitude) {
-  const Eigen::ArrayXd numbers = LongWaves(g, {100, elongation}).numbers();
+// Of the amplitude A in the first wave of these half waves.
+double error_of_one(const Grid& g, double elongation, const Eigen::Array2d& half_waves, double amplitude) {
+  const LongWaveNumbers numbers = LongWaves(g, {100, elongation}).numbers();
   Index k = 0;
-  REQUIRE((numbers - nu).abs().minCoeff(&k) <= 1e-9 * nu);
-  Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(numbers.size());
+  REQUIRE((numbers.half_waves.rowwise() - half_waves.transpose()).square().rowwise().sum().minCoeff(&k) == 0);
+  Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(numbers.nu.size());
   squares(k) = amplitude * amplitude;
   return WaveSpectra(numbers).error(squares).error;
 }
@@ -85,22 +94,22 @@ TEST_CASE("the error of a mean is that of the longest waves", "[long-waves][exac
   const Shape shape{40, 40};
   const Grid free = grid(40, 40), periodic = grid(40, 40, true), along_y{shape, 1, 1, {false, true}};
   const double amplitude = 0.7;
-  auto one = [&](const Grid& g, double nu, double elongation = 1) {
-    return Approx(error_of_one(g, elongation, nu, amplitude)).epsilon(1e-10);
+  auto one = [&](const Grid& g, double x, double y, double elongation = 1) {
+    return Approx(error_of_one(g, elongation, {x, y}, amplitude)).epsilon(1e-10);
   };
   for (const double k : {1, 3, 4})
-    CHECK(error_of_mean(5 + amplitude * half_waves(shape, k), free, 100) == one(free, k * k));
+    CHECK(error_of_mean(5 + amplitude * half_waves(shape, k), free, 100) == one(free, k, 0));
   CHECK(error_of_mean(5 + amplitude * half_waves(shape, 5), free, 4000) < 1e-12);
   // Of a periodic axis a sine and a cosine, wherever it begins.
   for (const double phase : {0.0, 0.4, 2.0})
-    CHECK(error_of_mean(amplitude * half_waves(shape, 2, phase), periodic, 100) == one(periodic, 4));
-  CHECK(error_of_mean(amplitude * half_waves(shape, 2), along_y, 100) == one(along_y, 4));
+    CHECK(error_of_mean(amplitude * half_waves(shape, 2, phase), periodic, 100) == one(periodic, 2, 0));
+  CHECK(error_of_mean(amplitude * half_waves(shape, 2), along_y, 100) == one(along_y, 2, 0));
   // Of a long field, six waves along its long side; of a row, none across.
   const Field along = half_waves({400, 20}, 2).transpose(), row = half_waves({400, 1}, 2).transpose();
   CHECK(LongWaves(grid(20, 400), {300, 0.04}).all().size() == 6);
-  CHECK(error_of_mean(amplitude * along, grid(20, 400), 300, 0.04) == one(grid(20, 400), 0.16, 0.04));
+  CHECK(error_of_mean(amplitude * along, grid(20, 400), 300, 0.04) == one(grid(20, 400), 0, 2, 0.04));
   CHECK(error_of_mean(amplitude * half_waves({20, 400}, 1), grid(20, 400), 300, 0.04) < 1e-12);
-  CHECK(error_of_mean(amplitude * row, grid(1, 400), 4000, 1.0 / 400) == one(grid(1, 400), 0.01, 1.0 / 400));
+  CHECK(error_of_mean(amplitude * row, grid(1, 400), 4000, 1.0 / 400) == one(grid(1, 400), 0, 2, 1.0 / 400));
   CHECK(error_of_mean(Field::Constant(40, 40, 3.0), free, 100) == 0);
 }
 
@@ -167,8 +176,8 @@ Field points_of(int which, Index n) {
 }  // namespace
 
 // Once, waves had the variance that they have over the whole grid. Of white noise E[c_k²] = σ²/N exactly,
-// whatever the points, and the average over spectra allows for falling ones: its rms is 1.15 times the true
-// error for 21 waves (2000 draws in numpy), more for fewer. Of 400 fields the rms is known to
+// whatever the points, and the average over spectra allows for falling ones: its rms is 1.165 times the
+// true error for 21 waves (1500 draws in Python), up to 1.5 for two. Of 400 fields the rms is known to
 // √(1/(2 · 400 K)), of which four are allowed.
 TEST_CASE("the mean of white noise at any points has the error of so many heights, or somewhat more",
           "[long-waves][statistics]") {
@@ -188,9 +197,46 @@ TEST_CASE("the mean of white noise at any points has the error of so many height
     CAPTURE(which, N, waves);
     const double chance = 4 / std::sqrt(2.0 * fields * waves);
     CHECK(std::sqrt(square * N) >= 1 - chance);
-    CHECK(std::sqrt(square * N) <= 1.3 + chance);
+    CHECK(std::sqrt(square * N) <= (waves > 20 ? 1.165 : 1.5) + chance);
     CHECK(covered >= fields * (0.95 - 4 * std::sqrt(0.95 * 0.05 / fields)));
   }
+}
+
+namespace {
+
+// Some twelve lines at 60°, each 0.05 of the side wide, at random places.
+Field grooves(Index n, std::mt19937& random) {
+  Field z = Field::Zero(n, n);
+  std::uniform_real_distribution<> place(-0.7, 0.7);
+  for (int lines = std::poisson_distribution<>(12)(random); lines > 0; --lines) {
+    const double at = place(random);
+    z += Field::NullaryExpr(n, n, [&](Index i, Index j) {
+      const double x = static_cast<double>(i) / static_cast<double>(n) - 0.5,
+                   y = static_cast<double>(j) / static_cast<double>(n) - 0.5;
+      return std::abs(std::sqrt(0.75) * x + 0.5 * y - at) < 0.025 ? 1.0 : 0.0;
+    });
+  }
+  return z;
+}
+
+}  // namespace
+
+// Waves beside the ridge tell nothing of it: by spectra that are alike in all directions the ratio is 0.6. Of 300 fields
+// it is known to √(1/600).
+TEST_CASE("the mean of lines that cross a field has the error of their number", "[long-waves][statistics]") {
+  constexpr Index n = 48;
+  constexpr int fields = 300;
+  std::mt19937 random(11);
+  Spread mean;
+  double square = 0;
+  for (int f = 0; f < fields; ++f) {
+    const LocalMeans of = sums_of(grooves(n, random), grid(n, n)).means({100, 1});
+    mean.add(of(itself)), square += std::pow(of.error(itself).error, 2) / fields;
+  }
+  const double ratio = std::sqrt(square) / mean.deviation(), chance = 4 * std::sqrt(0.5 / fields);
+  CAPTURE(ratio);
+  CHECK(ratio >= 1 - chance);
+  CHECK(ratio <= 1.3 + chance);
 }
 
 // The waves along the row are those of a complete field of one row.
@@ -268,129 +314,4 @@ TEST_CASE("no interval of a kurtosis reaches below 1", "[long-waves][law]") {
   const Parameter& sku = named(heights, "Sku");
   CHECK(sku.value > 100);
   CHECK(sku.interval_95().low >= 1);
-}
-
-// ---- sequence error ----
-
-namespace {
-
-// The k-th longest wave, of amplitude A.
-Eigen::ArrayXd sequence_wave(Index n, Index k, double amplitude, bool periodic = false) {
-  return amplitude * axis_waves(n, periodic, k).col(k).array();
-}
-
-// Means over `window` neighbours of 100 independent values, or a piece of such.
-Eigen::ArrayXd averaged(Index window, unsigned seed, bool periodic) {
-  const Index n = 100;
-  const Eigen::ArrayXd noise = white_noise({1, n + window}, seed).row(0).transpose();
-  return Eigen::ArrayXd::NullaryExpr(n, [&](Index j) {
-    double sum = 0;
-    for (Index k = j; k < j + window; ++k) sum += noise(periodic ? k % n : k);
-    return sum;
-  });
-}
-
-}  // namespace
-
-// One of six waves, of ν = k², has all the power.
-TEST_CASE("the errors of a sequence are those of its longest waves and of the longest of its squares",
-          "[sequence-error][exact]") {
-  const Index n = 90;
-  const double amplitude = 0.7;
-  const WaveSpectra spectra(Eigen::ArrayXd::LinSpaced(6, 1, 6).square());
-  auto one = [&](Index k, double a) {
-    Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(6);
-    squares(k - 1) = a * a;
-    return spectra.error(squares).error;
-  };
-  for (const Index k : {1, 2, 6}) {
-    const SequenceMean m = sequence_mean(5 + sequence_wave(n, k, amplitude), 20.0 / n, false);
-    CAPTURE(k);
-    CHECK(relative_error(m.mean, 5) <= 1e-14);
-    CHECK(relative_error(m.spread, amplitude) <= 1e-13);
-    CHECK(relative_error(m.of_mean.error, one(k, amplitude)) <= 1e-10);
-  }
-  CHECK(sequence_mean(5 + sequence_wave(n, 7, amplitude), 20.0 / n, false).of_mean.error <= 1e-12);
-  CHECK(std::isnan(sequence_mean(sequence_wave(n, 1, amplitude), 2.99 / n, false).of_mean.error));
-  CHECK(std::isnan(sequence_mean(Eigen::ArrayXd::Constant(n, NAN), 1, false).mean));
-  // v² = s² (1 + b u), u the wave of two halves, and v changes its sign in the middle, where u is even: v̄ = 0,
-  // f = s b u/2.
-  const double s = 3, b = 0.5;
-  Eigen::ArrayXd v = s * (1 + sequence_wave(n, 2, b)).sqrt();
-  v.tail(n / 2) *= -1;
-  const SequenceMean m = sequence_mean(v, 80.001 / n, false);
-  CHECK(relative_error(m.spread, s) <= 1e-13);
-  CHECK(relative_error(m.of_spread.error, one(2, s * b / 2)) <= 1e-10);
-}
-
-TEST_CASE("errors of a sequence move with its scale, not with its place, its direction or absent values",
-          "[sequence-error][law]") {
-  const Field z = moving_average({1, 200}, {1, 5}, 3);
-  const Eigen::ArrayXd v = z.row(0).transpose();
-  const SequenceMean m = sequence_mean(v, 0.2, false), moved = sequence_mean(7 - 1e-3 * v, 0.2, false),
-                     back = sequence_mean(v.reverse(), 0.2, false);
-  CHECK(relative_error(moved.of_mean.error, 1e-3 * m.of_mean.error) <= 1e-10);
-  CHECK(relative_error(moved.of_spread.error, 1e-3 * m.of_spread.error) <= 1e-10);
-  CHECK(relative_error(back.of_mean.error, m.of_mean.error) <= 1e-10);
-  // A sequence turned around its period, and one that lacks a value in three.
-  Eigen::ArrayXd turned(200), fewer = v;
-  turned << v.tail(77), v.head(123);
-  CHECK(relative_error(sequence_mean(turned, 0.2, true).of_mean.error,
-                       sequence_mean(v, 0.2, true).of_mean.error) <= 1e-10);
-  for (Index j = 0; j < 200; j += 3) fewer(j) = NAN;
-  const SequenceMean some = sequence_mean(fewer, 0.2, false);
-  CHECK(some.count == 133);
-  CHECK(some.independent == Approx(0.2 * 133).epsilon(1e-14));
-  CHECK(std::abs(std::log(some.of_mean.error / m.of_mean.error)) <= 0.5);
-}
-
-// Of n sequences the mean square of the error has the relative deviation √(2/(K n)), that of the true one
-// √(2/n), and the share of intervals √(0.95 · 0.05/n). Errors allow for spectra that fall, up to a third of
-// them, and what ten independent values lose is within a fifth.
-TEST_CASE("errors of a sequence are the spread over an ensemble, and Student's intervals cover",
-          "[sequence-error][statistics]") {
-  constexpr int sequences = 1000;
-  for (const bool periodic : {false, true})
-    for (const Index window : {1, 4, 10}) {
-      Spread mean, spread;
-      double square = 0, square_of_spread = 0, covered = 0;
-      for (unsigned seed = 0; seed < sequences; ++seed) {
-        const SequenceMean m =
-            sequence_mean(averaged(window, seed, periodic), 1.0 / static_cast<double>(window), periodic);
-        mean.add(m.mean), spread.add(m.spread);
-        square += m.of_mean.error * m.of_mean.error / sequences;
-        square_of_spread += m.of_spread.error * m.of_spread.error / sequences;
-        covered += std::abs(m.mean) <= m.of_mean.half_width();
-      }
-      CAPTURE(periodic, window);
-      const double chance = 4 * std::sqrt(0.5 / sequences);
-      for (const double ratio :
-           {std::sqrt(square) / mean.deviation(), std::sqrt(square_of_spread) / spread.deviation()}) {
-        CHECK(ratio >= 0.8 - chance);
-        CHECK(ratio <= 1.33 + chance);
-      }
-      CHECK(covered / sequences >= 0.95 - 4 * std::sqrt(0.95 * 0.05 / sequences));
-    }
-}
-
-// Lognormal values: a few decide the spread. Of 1000 sequences the covering share is known to 1 %. With the
-// degrees of all independent values it is 85 %.
-TEST_CASE("intervals of the spread of a sequence hold it where heavy tails decide",
-          "[sequence-error][statistics]") {
-  constexpr int sequences = 1000;
-  constexpr Index window = 4;
-  constexpr double per_window = 1.0 / window;
-  Spread spread;
-  std::vector<Interval> intervals;
-  for (unsigned seed = 0; seed < sequences; ++seed) {
-    const Eigen::ArrayXd v = (0.8 * std::sqrt(per_window) * averaged(window, seed, false)).exp();
-    const SequenceMean m = sequence_mean(v, per_window, false);
-    spread.add(m.spread);
-    intervals.push_back(Interval::of_inverse(m.spread, m.of_spread.half_width() / m.spread));
-  }
-  const double truth = spread.mean();
-  const auto covered =
-      std::ranges::count_if(intervals, [&](const Interval& i) { return i.low <= truth && truth <= i.high; });
-  CAPTURE(covered);
-  CHECK(covered >= 880);
 }

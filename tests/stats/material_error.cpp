@@ -54,7 +54,7 @@ TEST_CASE("errors of the material ratio are those of the change of every figure 
   const FieldExtent extent{200, 1};
   const LongWaves waves(g, extent);
   const AxisWaves along(g);
-  Eigen::ArrayXXd squares(9, waves.numbers().size());
+  Eigen::ArrayXXd squares(9, std::ssize(waves.all()));
   constexpr double step = 0.1;
   for (Index k = 0; k < squares.cols(); ++k) {
     const auto [a, b] = waves.all()[size(k)];
@@ -123,8 +123,7 @@ TEST_CASE("the error of an extreme is that of the tail of the highest summits ap
     const double a = (9 + 8 + 7 + 6 + 5) / 5.0 - 4,
                  relative =
                      (std::log(9) + std::log(8) + std::log(7) + std::log(6) + std::log(5)) / 5 - std::log(4);
-    CHECK(relative_error(error->error, std::hypot(std::numbers::pi / std::sqrt(6) * std::max(a, 9 * relative),
-                                                  0.3)) <= 1e-12);
+    CHECK(relative_error(error->error, std::hypot(0.9 * 9 * relative, 0.3)) <= 1e-12);
     CHECK(relative_error(error->interval.high,
                          std::max(9 + std::hypot(5.14 * a, 0.66), 9 * std::exp(5.14 * relative))) <= 1e-12);
     CHECK(relative_error(error->interval.low,
@@ -143,4 +142,15 @@ TEST_CASE("extremes of few patches have no error, and say how many there are", "
     CHECK(named(of_many, name).standard_error > 0);
     CHECK(named(of_many, name).interval_95().known());
   }
+}
+
+TEST_CASE("the error of a kurtosis above 4 says that it is rough, that of Gaussian heights does not",
+          "[height-error][contract]") {
+  const Field y = moving_average({128, 128}, {4, 4}, 3);
+  auto sku = [](const Field& z) { return named(measure({.grid = grid(128, 128), .heights = z}, {}), "Sku"); };
+  const Parameter heavy = sku((0.7 * y).exp()), gaussian = sku(y);
+  REQUIRE(heavy.value > 4);
+  CHECK(heavy.standard_error > 0);
+  CHECK(heavy.note() == "its error is rough, as few heights decide it");
+  CHECK(gaussian.note().empty());
 }
