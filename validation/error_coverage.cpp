@@ -1,8 +1,8 @@
 /// Whether the errors printed beside parameters are those that simulation finds, whatever the texture.
 ///
-///     error_coverage [FIELDS [TEXTURE|all [SHAPE [LENGTH [DEGREE [OUTLINE [SEED]]]]]]]
+///     error_coverage [FIELDS [TEXTURE|translated|made|all [SHAPE [LENGTH [DEGREE [OUTLINE [SEED]]]]]]]
 ///
-/// FIELDS (400) fields of each texture (textures.hpp) on SHAPE (128x128) points with correlation LENGTH (4, in
+/// FIELDS (400) fields of each texture (textures.hpp: translated; made_textures.hpp: made) on SHAPE (128x128) points with correlation LENGTH (4, in
 /// samples), a form of DEGREE (0: the mean) removed. The correlation is estimated from each field. Errors of
 /// parameters are those of asperity-stats. OUTLINE is one of outlines.hpp, SEED (2026) that of the fields.
 ///
@@ -20,6 +20,10 @@
 ///
 /// Second table, one row a parameter: of the textures that have an error in more than half of the fields
 /// (`textures`, `of` how many), the least and the greatest `covered` and `ratio`.
+///
+/// Third table, of the textures of N_eff 60 and more: how many `figures`, rows of the first table, have an error
+/// in more than half of the fields, and the shares of these, in per cent, that are covered `below_90`, and whose
+/// ratio is `below_0.8` and `above_1.3`.
 ///
 /// The truth is the mean over eight fields of four times the sides, of effective sample sizes that of the
 /// true correlation, and of spectra its transform; of what depends on the size (extremes, counts, profiles),
@@ -221,6 +225,21 @@ struct Ranges {
   }
 };
 
+// The third table.
+struct Tally {
+  double figures = 0, uncovered = 0, low = 0, high = 0;
+
+  void add(const Row& row) {
+    if (!(row.known > 50)) return;
+    ++figures, uncovered += row.covered < 90, low += row.ratio<0.8, high += row.ratio> 1.3;
+  }
+  void print() const {
+    const double share = 100 / std::max(figures, 1.0);
+    fmt::print("# figures\tbelow_90\tbelow_0.8\tabove_1.3\n{}\t{:.1f}\t{:.1f}\t{:.1f}\n", figures,
+               share * uncovered, share * low, share * high);
+  }
+};
+
 // The effective sample sizes of the true correlation.
 std::map<std::string, double> true_sizes(const textures::Texture& texture, const Setting& setting) {
   const Grid grid = grid_of(setting.shape);
@@ -232,7 +251,7 @@ std::map<std::string, double> true_sizes(const textures::Texture& texture, const
           {"N_eff_Sku", size.effective(4)}};
 }
 
-void judge(const textures::Texture& texture, const Setting& setting, Ranges& ranges) {
+void judge(const textures::Texture& texture, const Setting& setting, Ranges& ranges, Tally& tally) {
   const auto [nx, ny] = setting.shape;
   std::mt19937_64 random(setting.seed);
   std::map<std::string, Column> columns;
@@ -271,6 +290,7 @@ void judge(const textures::Texture& texture, const Setting& setting, Ranges& ran
     fmt::print("{}\t{:.0f}\t{}\t{:.0f}\t{:.1f}\t{:.1f}\t{:.2f}\t{:.2f}\n", texture.name, n_eff, name,
                row.known, row.covered, row.open, row.ratio, row.bias);
     ranges.add(name, row);
+    if (n_eff >= 60) tally.add(row);
   }
 }
 
@@ -292,9 +312,13 @@ int main(int argc, char** argv) {
   if (argc > 7) setting.seed = static_cast<unsigned>(std::atoi(argv[7]));
   fmt::print("# texture\tN_eff\tparameter\tknown\tcovered\topen\tratio\tbias\n");
   Ranges ranges;
-  std::vector<textures::Texture> all = textures::all(setting.length);
-  std::ranges::move(textures::made(setting.length), std::back_inserter(all));
-  for (const textures::Texture& texture : all)
-    if (only == "all" || only == texture.name) judge(texture, setting, ranges);
+  Tally tally;
+  auto judge_all = [&](const std::vector<textures::Texture>& group, const std::string& name) {
+    for (const textures::Texture& texture : group)
+      if (only == "all" || only == name || only == texture.name) judge(texture, setting, ranges, tally);
+  };
+  judge_all(textures::all(setting.length), "translated");
+  judge_all(textures::made(setting.length), "made");
   ranges.print();
+  tally.print();
 }
