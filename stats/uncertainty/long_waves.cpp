@@ -73,9 +73,13 @@ LongWaves::Directions LongWaves::directions(const AxisWaves::Squares& squares) c
   Eigen::MatrixXd turn = covariance_root(e * numbers_.nu.matrix().asDiagonal() * e.transpose());
   turn.colwise().normalize();
   const Eigen::MatrixXd share = (turn.transpose() * e).cwiseAbs2();
-  return {turn.transpose() * some,
-          {(share * numbers_.nu.matrix()).array(),
-           (share * numbers_.half_waves.square().matrix()).array().sqrt()}};
+  LongWaveNumbers numbers{(share * numbers_.nu.matrix()).array(), Eigen::ArrayX2d(share.rows(), 2)};
+  for (Index k = 0; k < share.rows(); ++k) {
+    Index most = 0;
+    share.row(k).maxCoeff(&most);
+    numbers.half_waves.row(k) = numbers_.half_waves.row(most);
+  }
+  return {turn.transpose() * some, numbers};
 }
 
 WaveError LocalMeans::error(const Function& g) const {

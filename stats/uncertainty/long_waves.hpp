@@ -86,7 +86,7 @@ class LongWaves {
   /// (3), (4).
   struct Directions {
     Eigen::MatrixXd factors = {};  ///< e_k/√λ_k, a row each
-    LongWaveNumbers numbers = {};  ///< (4), and likewise ν_x², ν_y²
+    LongWaveNumbers numbers = {};  ///< (4), and ν_x, ν_y of the wave of the largest e_kj²
   };
   Directions directions(const AxisWaves::Squares& squares) const;
 

@@ -3,7 +3,8 @@
 // A field of a law is measured as a user measures it. Of n fields of a law, a figure's deviation and the rms of
 // its errors are both known to some √(1/2n), heavier tails included; what long waves lose, and what the first
 // order lacks, is a tenth where the correlation is known. The field's own waves allow for spectra that fall: errors
-// from them are 0.8 to 1.3 of the true ones (validation/error_coverage states it for many textures). So
+// from them are 0.8 to 1.3 of the true ones (validation/error_coverage states it for many textures), up to 1.35 where a
+// third of the points are missing, so that waves are mixed. So
 //     0.9, or 0.8, - 4 √(1/2n) ≤ rms of the errors / deviation ≤ 1.1, or 1.3, + 4 √(1/2n),                (1)
 //     share of the intervals that hold the truth ≥ 0.90 - 3 √(0.95 · 0.05/n).                             (2)
 // The truth is that of the Gaussian law, where a figure has one in closed form; else the mean over the fields.
@@ -209,7 +210,7 @@ void check_coverage(const Law& law, const std::vector<Estimator>& estimators, un
     CHECK(n >= 0.9 * fields);
     const double chance = 4 * std::sqrt(0.5 / n);
     CHECK(of.ratio() >= (law.known ? 0.9 : 0.8) - chance);
-    CHECK(of.ratio() <= (law.known ? 1.1 : 1.3) + chance);
+    CHECK(of.ratio() <= (law.known ? 1.1 : law.points == Points::scattered ? 1.35 : 1.3) + chance);
     CHECK(of.covered(truth) >= 0.90 - 3 * std::sqrt(0.95 * 0.05 / n));
   }
 }
