@@ -1,6 +1,6 @@
 // Writes a dataset as one HTML page: parameters, tables with errors, pictures, history.
 #include <filesystem>
-#include <optional>
+#include <memory>
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
@@ -31,24 +31,46 @@ report::Group group_of(const cli::Tool& tool, const Sample& sample, const Prepar
   return {title, {}, error.what()};
 }
 
+// A field, measured once for tables and figures; the sample is missing where the field cannot be measured.
+struct Measured {
+  std::shared_ptr<const Sample> sample = nullptr;
+  std::vector<report::Group> groups = {};
+};
+
 // A broken field is refused. Of a sound field, groups that cannot be computed give their reason instead.
-std::vector<report::Group> groups_of(const cli::Tool& tool, const Dataset& data, const Options& o,
-                                     std::string& why_untold) {
+Measured measured(const cli::Tool& tool, const Dataset& data, const Options& o) {
   const bool absent = !data.has(o.measured.variable) && !tool.given("--variable");
   if (absent) return {};
   field_of(data, o.measured.variable, Missing::not_a_number);
-  std::optional<Sample> sample;
+  Measured out;
   try {
-    sample.emplace(o.measured.read(tool, data), tool.thread_count());
+    out.sample = std::make_shared<const Sample>(o.measured.read(tool, data), tool.thread_count());
   } catch (const DataError& error) {
-    return {{"Height parameters", {}, error.what()}};
+    return {nullptr, {{"Height parameters", {}, error.what()}}};
   }
-  warn_of_few(tool, sample->size());
-  why_untold = too_few(sample->size());
-  const Preparation preparation = o.measured.asked;
-  return {group_of(tool, *sample, preparation, Group::height, "Height parameters"),
-          group_of(tool, *sample, preparation, Group::spatial, "Spatial parameters"),
-          group_of(tool, *sample, preparation, Group::hybrid, "Hybrid parameters")};
+  warn_of_few(tool, out.sample->size());
+  for (const auto& [group, title] : {std::pair{Group::height, "Height parameters"},
+                                     {Group::material, "Material ratio parameters"},
+                                     {Group::spatial, "Spatial parameters"},
+                                     {Group::hybrid, "Hybrid parameters"}})
+    out.groups.push_back(group_of(tool, *out.sample, o.measured.asked, group, title));
+  return out;
+}
+
+// With the field as it was measured.
+plot::Cases measured_case(const Dataset& data, const Measured& of) {
+  plot::Cases out{{data, "", of.sample}};
+  if (!of.sample) return out;
+  const Surface& s = of.sample->surface();
+  const Field& z = s.heights;
+  Variable& v = *out[0].data.find(s.variable);
+  v.values = std::vector<double>(z.data(), z.data() + z.size());
+  v.unread = nullptr;
+  v.attributes.set("units", s.units);
+  for (const char* name :
+       {"scale_factor", "add_offset", "_FillValue", "missing_value", "valid_range", "valid_min", "valid_max"})
+    v.attributes.erase(name);
+  return out;
 }
 
 std::string reference_of(const Preparation& asked) {
@@ -73,8 +95,7 @@ int report_on(cli::Tool& tool, const Options& o) {
   tool.writes("output", o.output);
   plot::Cases dataset{{tool.read(), ""}};
   const Dataset& data = dataset[0].data;
-  std::string untold;
-  const std::vector<report::Group> groups = groups_of(tool, data, o, untold);
+  const auto [sample, groups] = measured(tool, data, o);
   for (const report::Group& group : groups) cli::check_finite(group.rows);
   const bool any =
       !groups.empty() || data.has("pressure") || data.has("acf_achieved") || data.has("von_mises");
@@ -83,8 +104,10 @@ int report_on(cli::Tool& tool, const Options& o) {
                     "the dataset has no such variable, nor pressure, von_mises or a kernel: "
                     "give a dataset with one of them, or --variable NAME");
   const report::NoGridErrors no_grid_errors = report::add_grid_errors(tool, dataset[0].data);
-  cli::write_all(o.output, report::page({dataset, title_of(tool, o.title), o.measured.variable,
-                                         reference_of(o.measured.asked), groups, untold, no_grid_errors}));
+  const plot::Cases as_measured = measured_case(data, {sample, groups});
+  cli::write_all(o.output, report::page({dataset, as_measured, title_of(tool, o.title), o.measured.variable,
+                                         reference_of(o.measured.asked), groups,
+                                         sample ? too_few(sample->size()) : "", no_grid_errors}));
   return cli::done;
 }
 

@@ -78,4 +78,14 @@ std::string inflated(std::string_view bytes, std::size_t size, Wrapper wrapper) 
   return out;
 }
 
+std::string deflated(std::string_view bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string out(size, '\0');
+  const int state = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
+                              reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+  if (state != Z_OK) throw std::bad_alloc();
+  out.resize(size);
+  return out;
+}
+
 }  // namespace asperity

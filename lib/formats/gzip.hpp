@@ -1,4 +1,4 @@
-/// Deflated bytes in memory; no other code calls zlib.
+/// Deflated bytes in memory, read and written; no other code calls zlib.
 #pragma once
 
 #include <string>
@@ -16,5 +16,8 @@ enum class Wrapper { gzip, zlib };
 /// for this size, and when they are damaged, give another size, or are followed by other bytes
 /// (dataset/bytes.hpp). Memory: the bytes inflated so far.
 std::string inflated(std::string_view bytes, std::size_t size, Wrapper wrapper = Wrapper::gzip);
+
+/// The same bytes between zlib's head and checksum, as inflated(…, Wrapper::zlib) reads them; at most 4 GiB.
+std::string deflated(std::string_view bytes);
 
 }  // namespace asperity

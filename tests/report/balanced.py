@@ -3,7 +3,7 @@
 import sys
 from html.parser import HTMLParser
 
-VOID = {"meta", "img", "br"}
+VOID = {"meta", "img", "br", "input"}
 
 
 class Balance(HTMLParser):

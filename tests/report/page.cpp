@@ -21,11 +21,13 @@ std::string page_of(const std::string& name) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// The page but for the digits of its pictures, in which any word may occur.
+// The page but for the digits of its pictures and fields, in which any word may occur, and its own script.
 std::string words_of(std::string page) {
-  constexpr std::string_view begin = ";base64,";
-  for (auto at = page.find(begin); at != page.npos; at = page.find(begin, at + begin.size()))
-    page.erase(at + begin.size(), page.find('"', at) - at - begin.size());
+  for (const std::string_view begin : {";base64,", "data-z=", "data-colours=", "<script>"})
+    for (auto at = page.find(begin); at != page.npos; at = page.find(begin, at + begin.size())) {
+      const auto first = begin.starts_with("data") ? page.find('>', at) + 1 : at + begin.size();
+      page.erase(first, page.find_first_of(begin == "<script>" ? "<" : "\"'<", first) - first);
+    }
   return page;
 }
 
@@ -38,7 +40,7 @@ std::string report_on(const std::string& arguments) {
   INFO(balance.error);
   CHECK(balance.exit == 0);
   const std::string page = words_of(page_of("page.html"));
-  CHECK_THAT(page, !ContainsSubstring("http") && !ContainsSubstring("<script") && !ContainsSubstring("nan"));
+  CHECK_THAT(page, !ContainsSubstring("http") && !ContainsSubstring(" src=\"/") && !ContainsSubstring("nan"));
   return page;
 }
 
@@ -55,7 +57,7 @@ void press_surface(const std::string& more) {
 
 std::size_t pictures_in(const std::string& page) {
   std::size_t out = 0;
-  for (auto at = page.find("<img "); at != page.npos; at = page.find("<img ", at + 1)) ++out;
+  for (auto at = page.find("<figure>"); at != page.npos; at = page.find("<figure>", at + 1)) ++out;
   return out;
 }
 
@@ -64,9 +66,9 @@ std::size_t pictures_in(const std::string& page) {
 TEST_CASE("the page holds every number, error and interval of asperity-stats", "[report][exact]") {
   draw_surface();
   const std::string page = report_on("s.nc");
-  const auto table =
-      nlohmann::json::parse(shell("asperity-stats s.nc --parameters height,spatial,hybrid --json").out);
-  REQUIRE(table.size() > 30);
+  const auto table = nlohmann::json::parse(
+      shell("asperity-stats s.nc --parameters height,material,spatial,hybrid --json").out);
+  REQUIRE(table.size() > 40);
   auto holds = [&](double value) {
     CHECK_THAT(page, ContainsSubstring("<data value=\"" + cli::shortest(value) + "\">"));
   };
@@ -91,9 +93,10 @@ TEST_CASE("a pressed and stressed surface shows pressure, contact, section and w
   CHECK(pictures_in(page) == 11);  // and pressure, contact, section, stress by depth
   for (const char* word : {"100\u00A0N", "smooth bodies (Hertz)", "largest von Mises stress", "210\u00A0GPa",
                            "6 × 4 samples (93.75\u00A0µm × 62.5\u00A0µm)", "convolutions of full size",
-                           "image/svg+xml;base64,", "image/png;base64,"})
+                           "<svg viewBox=", "image/png;base64,", "aria-label=\"Autocorrelation: Sal ",
+                           "class=\"volume\"", "<b>asperity-stress</b>: 1 of 8 layers lie less than "})
     CHECK_THAT(page, ContainsSubstring(word));
-  CHECK_THAT(page, !ContainsSubstring("role=\"alert\""));
+  CHECK_THAT(page, ContainsSubstring("1 warning</h2>"));
 }
 
 TEST_CASE("a contact shows what --add told of it", "[report][contract]") {
@@ -108,18 +111,46 @@ TEST_CASE("a contact shows what --add told of it", "[report][contract]") {
 TEST_CASE("a solver that did not converge is told in plain sight", "[report][contract]") {
   press_surface("--max-convolutions 1");
   const std::string page = report_on("c.nc");
-  const auto alarm = page.find("role=\"alert\">Warning: The contact did not converge");
+  const auto alarm = page.find("<b>asperity-contact</b>: the contact did not converge");
   REQUIRE(alarm != page.npos);
-  CHECK(alarm < page.find("<h2>"));
+  CHECK(alarm < page.find("<dl"));
+}
+
+TEST_CASE("what a tool warned of stands above all numbers, with the tool's name and never as markup",
+          "[report][contract]") {
+  draw_surface();
+  Dataset data = read_dataset("s.nc");
+  data.attributes.set("filter_warnings", "one <b>\nanother");
+  data.attributes.set("kernel_answer", "nearest");
+  data.attributes.set("kernel_change", 0.02);
+  write_dataset(data, "warned.nc");
+  const std::string page = report_on("warned.nc"), top = page.substr(0, page.find("<dl"));
+  for (const char* words :
+       {"3 warnings</h2>", "<b>asperity-filter</b>: one &lt;b&gt;</li>",
+        "<b>asperity-filter</b>: another</li>", "it was changed by up to 0.02 of the variance"})
+    CHECK_THAT(top, ContainsSubstring(words));
+  CHECK_THAT(page, ContainsSubstring("yes, to the closest autocorrelation found, not to the one asked for"));
+}
+
+TEST_CASE("a contact above the yield stress says so on top, whatever the dataset tells of it",
+          "[report][contract]") {
+  press_surface("--yield 300MPa");
+  REQUIRE(shell("asperity-stress c.nc --depths 20um:0.3mm:8 --maximum -q -o st.nc").exit == 0);
+  Dataset data = read_dataset("st.nc");
+  data.attributes.erase("stress_warnings");
+  data.attributes.erase("stress_max_von_mises");
+  write_dataset(data, "bare.nc");
+  for (const std::string name : {"st.nc", "bare.nc"})
+    CHECK_THAT(report_on(name), ContainsSubstring("above the yield stress of 300"));
 }
 
 TEST_CASE("a measured surface with missing points, a smooth contact and a kernel each have a page",
           "[report][contract][slow]") {
   const std::string measured = report_on(ASPERITY_TEST_DATA "/profiler-96x96.x3p --remove-form plane");
   CHECK_THAT(measured, ContainsSubstring("Measured from the plane"));
-  CHECK_THAT(measured, ContainsSubstring("Warning: no standard errors and intervals can be given: N_eff = "));
+  CHECK_THAT(measured, ContainsSubstring("no standard errors and intervals can be given: N_eff = "));
   const std::string open = report_on(ASPERITY_TEST_DATA "/afm-64x64.nc");
-  CHECK_THAT(open, ContainsSubstring("interval\">above <data"));  // of the slowest decay
+  CHECK_THAT(open, ContainsSubstring("\">above <data"));  // of the slowest decay
   draw_surface();
   Dataset data = read_dataset("s.nc");
   std::get<std::vector<double>>(data.find("heights")->values)[7] = std::nan("");
@@ -128,7 +159,7 @@ TEST_CASE("a measured surface with missing points, a smooth contact and a kernel
   REQUIRE(shell("asperity-contact --smooth --shape 32x32 --size 1mm --load 100N --radius 20mm --young 210GPa "
                 "--poisson 0.3 -o smooth.nc")
               .exit == 0);
-  CHECK_THAT(report_on("smooth.nc"), ContainsSubstring("Contact pressure"));
+  CHECK_THAT(report_on("smooth.nc"), ContainsSubstring("Map of pressure"));
   REQUIRE(
       shell("asperity-generate --shape 64x64 --size 1mm --rq 0.4um --length 6px --seed 3 --count 2 -o m%d.nc")
           .exit == 0);
@@ -156,7 +187,7 @@ TEST_CASE("names, history and title of a hostile dataset are shown and never mar
   CHECK_THAT(page, ContainsSubstring("a&lt;b&gt;&amp;&#39;c") &&
                        ContainsSubstring("&lt;/ol&gt;&lt;iframe&gt;") &&
                        ContainsSubstring("<title>&lt;/title&gt;&lt;script&gt;x</title>"));
-  for (const char* markup : {"<svg", "<iframe", "<s>", "<i>", "\xff"})
+  for (const char* markup : {"<svg onload", "<iframe", "<s>", "<i>", "\xff"})
     CHECK_THAT(page, !ContainsSubstring(markup));
 }
 
@@ -226,7 +257,9 @@ TEST_CASE("a page has the errors of the grid that its dataset lacks, equal to th
                              "mean_gap", "stiffness"}) {
       CAPTURE(name);
       const double error = asked.number(std::string("contact_") + name + "_error", 0);
-      if (error > 0) CHECK(told(page, error) == Approx(error).epsilon(1e-6));
+      const bool clamped = name == std::string("max_pressure") && given.ends_with("800MPa");
+      if (error > 0 && !clamped) CHECK(told(page, error) == Approx(error).epsilon(1e-6));
+      if (clamped) CHECK_THAT(page, ContainsSubstring("<small>the limit pressure itself</small>"));
     }
     // Of the stress both pages show the same digits.
     auto line = [](const std::string& of, const std::string& name) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,10 @@
 #include "tools/cli/section.hpp"
 #include "tools/plot/gnuplot.hpp"
 #include "tools/plot/scale.hpp"
+
+namespace asperity {
+class Sample;
+}
 
 namespace asperity::plot {
 
@@ -40,6 +45,7 @@ struct Request {
 struct Case {
   Dataset data;
   std::string label;
+  std::shared_ptr<const Sample> sample = nullptr;  ///< of a field that is measured already
 };
 using Cases = std::vector<Case>;
 

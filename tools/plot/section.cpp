@@ -168,7 +168,7 @@ void hide_below(Cuts& cuts, const Cases& cases, const Request& request) {
 Cuts cuts_of(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("von_mises");
   Cuts cuts;
-  for (const auto& [data, label] : cases) {
+  for (const auto& [data, label, sample] : cases) {
     const Grid grid = grid_of(data);
     cuts.sections.push_back(section_on(data, data.at(variable), request.section));
     const Cut cut = cut_of(data, variable, grid, cuts.sections.back(), request);

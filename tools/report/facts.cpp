@@ -66,46 +66,40 @@ std::string line(std::string_view name, std::string_view label, const std::strin
                      text.size() <= unbroken ? " class=\"short\"" : "", escaped(text));
 }
 
-// The error of a figure that is there too stands beside it.
+constexpr std::string_view of_error = "_error", of_warnings = "_warnings";
+
+// The error of a figure that is there too stands beside it; a kernel that is wider is one all the same.
 bool told_beside(const Dataset& data, std::string_view name) {
-  constexpr std::string_view suffix = "_error";
-  return name.ends_with(suffix) && data.attributes.find(name.substr(0, name.size() - suffix.size()));
+  const Attributes& a = data.attributes;
+  return (name.ends_with(of_error) && a.find(name.substr(0, name.size() - of_error.size()))) ||
+         name.ends_with(of_warnings) || (name == "kernel_reason" && a.text("kernel_answer") == "wider");
 }
 
-std::string with_error(const Dataset& data, const KnownAttribute& known, const Values& values) {
+// What a kernel converged to where that is not what was asked for.
+std::string answer_of(const Attributes& a) {
+  const std::string answer = a.text("kernel_answer");
+  return answer == "nearest" ? ", to the closest autocorrelation found, not to the one asked for"
+         : answer == "wider" ? ", with a kernel wider than the lags asked for"
+                             : "";
+}
+
+std::string text_of(const Dataset& data, const KnownAttribute& known, const Values& values) {
   const std::string unit(known.unit);
-  const double error = data.attributes.number(std::string(known.name) + "_error", NAN);
-  if (!(error > 0) || count(values) != 1) return text_of(data, values, unit);
-  const Measurement m = readable(Parameter{"", numbers(values)[0], unit, error, ""});
-  return m.value + " ± " + m.error + "\u00A0" + m.unit;
+  const double error = data.attributes.number(std::string(known.name).append(of_error), NAN);
+  if (error > 0 && count(values) == 1) return value_text(numbers(values)[0], error, unit);
+  const std::string text = text_of(data, values, unit);
+  return known.name == "kernel_converged" && text == "yes" ? text + answer_of(data.attributes) : text;
 }
 
 }  // namespace
 
-std::string warnings(const Dataset& data) {
-  std::string out;
-  const Attributes& a = data.attributes;
-  const auto number = [&](const char* name) { return readable(a.number(name, NAN), "1"); };
-  const auto warn = [&](const std::string& text) {
-    out += fmt::format("<p class=\"warning\" role=\"alert\">Warning: {}</p>\n", escaped(text));
-  };
-  if (a.number("kernel_converged", 1) == 0)
-    warn(
-        fmt::format("The kernel did not converge ({}): residual {}, tolerance {}. Surfaces generated from it "
-                    "do not have the requested autocorrelation.",
-                    a.text("kernel_reason"), number("kernel_residual"), number("kernel_tolerance")));
-  if (a.number("contact_converged", 1) == 0)
-    warn(
-        fmt::format("The contact did not converge: residual {}, tolerance {}. Pressure, area and all "
-                    "quantities computed from them are not a solution.",
-                    number("contact_residual"), number("contact_tolerance")));
-  const std::string answer = a.text("kernel_answer");
-  if (answer == "nearest" && a.number("kernel_change", 0) > 1e-6)
-    warn(
-        fmt::format("No kernel of this size has the requested autocorrelation; the autocorrelation was "
-                    "changed by up to {} of the variance.",
-                    number("kernel_change")));
-  return out;
+std::string value_text(const Parameter& row) {
+  const Measurement m = readable(row);
+  return m.value + (m.error.empty() ? "" : " ± " + m.error) + (m.unit.empty() ? "" : "\u00A0" + m.unit);
+}
+
+std::string value_text(double value, double error, const std::string& unit) {
+  return value_text(Parameter{"", value, unit, error > 0 ? error : unknown, ""});
 }
 
 std::string facts(const Dataset& data, Role role, std::string_view stage) {
@@ -114,8 +108,8 @@ std::string facts(const Dataset& data, Role role, std::string_view stage) {
     if (const Values* values = data.attributes.find(known.name);
         values && known.role == role && known.name.substr(0, known.name.find('_')) == stage &&
         !told_beside(data, known.name))
-      lines += line(known.name, known.label, with_error(data, known, *values));
-  return element("dl", lines);
+      lines += line(known.name, known.label, text_of(data, known, *values));
+  return element("dl", lines, "facts");
 }
 
 std::string contact_figures(const Dataset& data) {
@@ -125,9 +119,9 @@ std::string contact_figures(const Dataset& data) {
                            "plastic_work", "patches", "largest_patch", "percolates_x", "percolates_y"}) {
     const KnownAttribute* known = known_attribute(std::string("contact_") + name);
     if (const Values* values = data.attributes.find(known->name))
-      lines += line(known->name, known->label, with_error(data, *known, *values));
+      lines += line(known->name, known->label, text_of(data, *known, *values));
   }
-  return element("dl", lines);
+  return element("dl", lines, "facts");
 }
 
 std::string other_attributes(const Dataset& data) {
@@ -135,9 +129,10 @@ std::string other_attributes(const Dataset& data) {
   for (const Attribute& a : data.attributes) {
     const KnownAttribute* known = known_attribute(a.name);
     const bool told = known && known->role != Role::other;
-    if (!told && a.name != "history" && a.name != "source") lines += line(a.name, a.name, text_of(a.values));
+    if (!told && a.name != "history" && a.name != "source" && !a.name.ends_with(of_warnings))
+      lines += line(a.name, a.name, text_of(a.values));
   }
-  return element("dl", lines);
+  return element("dl", lines, "facts");
 }
 
 std::string history(const std::string& text) {

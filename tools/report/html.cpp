@@ -21,6 +21,10 @@ std::string entity_of(char c) {
   return own == std::end(escapes) ? std::string(1, c) : own->escape;
 }
 
+std::string tsv_of(std::string_view columns) {
+  return columns.empty() ? "" : fmt::format(" data-tsv=\"{}\"", columns);
+}
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -50,19 +54,27 @@ std::string element(std::string_view name, std::string_view content, std::string
 }
 
 std::string labelled(std::string_view name, std::string_view meaning) {
-  return fmt::format("<th scope=\"row\"><b>{}</b> <span>{}</span></th>", name, meaning);
+  return fmt::format("<th scope=\"row\" data-tsv=\"{0}\"><b>{0}</b> <span>{1}</span></th>", name, meaning);
 }
 
-std::string cell(std::string_view content, std::string_view css_class) {
-  return fmt::format("<td class=\"{}\">{}</td>", css_class, content);
+std::string cell(std::string_view content, std::string_view css_class, std::string_view tsv) {
+  return fmt::format("<td class=\"{}\"{}>{}</td>", css_class, tsv_of(tsv), content);
 }
 
-std::string table(std::initializer_list<const char*> columns, const std::string& rows,
+std::string table(std::initializer_list<std::string_view> columns, const std::string& rows,
                   std::string_view css_class) {
   std::string head;
-  for (const char* column : columns) head += fmt::format("<th scope=\"col\">{}</th>", column);
+  for (const std::string_view column : columns) {
+    const auto bar = std::min(column.find('|'), column.size());
+    head += fmt::format("<th scope=\"col\"{}>{}</th>",
+                        tsv_of(column.substr(std::min(bar + 1, column.size()))), column.substr(0, bar));
+  }
   return element("table", element("thead", element("tr", head)) + fmt::format("<tbody>{}</tbody>\n", rows),
                  css_class);
+}
+
+std::string folded(std::string_view title, std::string_view content) {
+  return content.empty() ? "" : element("details", element("summary", title) + std::string(content));
 }
 
 }  // namespace asperity::report

@@ -18,8 +18,12 @@ std::string element(std::string_view name, std::string_view content, std::string
 
 // Parts of tables, from HTML.
 std::string labelled(std::string_view name, std::string_view meaning);  ///< the head of a row
-std::string cell(std::string_view content, std::string_view css_class);
-std::string table(std::initializer_list<const char*> columns, const std::string& rows,
+/// `tsv`: the columns that the cell is when the table is copied, where they are not its <data> or its text.
+std::string cell(std::string_view content, std::string_view css_class, std::string_view tsv = "");
+/// The heads of columns may end in "|" and their `tsv`.
+std::string table(std::initializer_list<std::string_view> columns, const std::string& rows,
                   std::string_view css_class);
+/// Closed on a screen until the reader opens it, open on paper.
+std::string folded(std::string_view title, std::string_view content);
 
 }  // namespace asperity::report

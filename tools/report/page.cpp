@@ -6,24 +6,32 @@
 
 #include <fmt/format.h>
 
+#include "contact/energy.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/surface_words.hpp"
+#include "tools/report/fields.hpp"
 #include "tools/report/html.hpp"
 #include "tools/report/parts.hpp"
-#include "tools/report/style.hpp"
 
 namespace asperity::report {
 namespace {
 
 constexpr std::pair<const char*, const char*> stages[] = {{"kernel", "Autocorrelation and kernel"},
                                                           {"generate", "Surface"},
+                                                          {"filter", "Filter"},
                                                           {"contact", "Contact"},
                                                           {"stress", "Stress below the surface"}};
 
-std::string section(const std::string& title, const std::string& content) {
-  return content.empty() ? "" : element("section", element("h2", escaped(title)) + content);
-}
+constexpr std::string_view style =
+#include "page.css.inc"
+    ;
+constexpr std::string_view script =
+#include "page.js.inc"
+    ;
+constexpr std::string_view script_of_field =
+#include "field.js.inc"
+    ;
 
 // ---- description of the dataset ----
 
@@ -64,61 +72,85 @@ std::string what_it_is(const Content& c) {
 
 // ---- key numbers ----
 
-std::string tile(const std::string& label, const std::string& text) {
-  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", label, escaped(text));
+std::string tile(const char* label, const std::string& text, const std::string& note) {
+  return fmt::format("<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", label, escaped(text),
+                     escaped(note));
 }
 
-std::string tiles(const Content& c) {
+// A result with the error of the grid, where it has one, and what else there is to say.
+std::string tile(const Attributes& a, const std::string& name, const char* label, const char* unit,
+                 const std::string& note = "") {
+  if (!a.find(name)) return "";
+  const double error = a.number(name + "_error", NAN);
+  const std::string known = error > 0 ? "± error of the grid" : note.empty() ? "no error known" : "";
+  return tile(label, value_text(a.number(name, NAN), error, unit),
+              known + (known.empty() || note.empty() ? "" : "; ") + note);
+}
+
+std::string tiles_of_surface(const Content& c) {
   std::string out;
-  for (const Group& group : c.groups)
-    for (const Parameter& row : group.rows)
-      if (row.name == "Sq") {
-        const Measurement m = readable(row);
-        out += tile("rms height Sq", m.value + (m.error.empty() ? "" : " ± " + m.error) + "\u00A0" + m.unit);
-      }
-  const Attributes& a = c.dataset[0].data.attributes;
-  constexpr struct {
-    const char *attribute, *label, *unit;
-  } wanted[] = {{"contact_load", "load", "N"},
-                {"contact_mean_pressure", "mean pressure", "Pa"},
-                {"contact_max_pressure", "maximum pressure", "Pa"},
-                {"contact_area", "real contact area", "m2"},
-                {"stress_max_von_mises", "largest von Mises stress", "Pa"},
-                {"stress_max_shear", "largest shear stress", "Pa"},
-                {"stress_max_principal", "largest principal stress", "Pa"}};
-  for (const auto& w : wanted)
-    if (a.find(w.attribute)) out += tile(w.label, readable(a.number(w.attribute, NAN), w.unit));
-  return element("dl", out, "tiles");
+  for (const auto& [name, label] : {std::pair{"Sq", "rms height Sq"}, {"Sdq", "rms slope Sdq"}})
+    for (const Group& group : c.groups)
+      for (const Parameter& row : group.rows)
+        if (row.name == name && std::isfinite(row.value))
+          out += tile(label, value_text(row),
+                      std::isfinite(row.standard_error) ? "± standard error"
+                      : row.note().empty()              ? "no error known"
+                                                        : row.note());
+  return out;
+}
+
+std::string tiles_of_contact(const Attributes& a) {
+  std::string out;
+  if (a.find("contact_area_corrected"))
+    out += tile(a, "contact_area_corrected", "real contact area", "m2",
+                value_text(a.number("contact_area", NAN), a.number("contact_area_error", NAN), "m2") +
+                    " in whole cells");
+  else
+    out += tile(a, "contact_area", "real contact area", "m2", "whole cells");
+  const std::string given = a.text("contact_prescribed");
+  out += tile(a, "contact_load", "load", "N", given == "load" ? "prescribed" : "");
+  out += tile(a, "contact_mean_pressure", "mean pressure", "Pa", "over the nominal area");
+  const std::string highest = "contact_max_pressure", name = "maximum pressure";
+  out += at_limit(a)
+             ? tile(name.c_str(), value_text(a.number(highest, NAN), NAN, "Pa"), "the limit pressure itself")
+             : tile(a, highest, name.c_str(), "Pa");
+  return out + tile(a, "contact_approach", "approach", "m", given == "approach" ? "prescribed" : "");
+}
+
+std::string tiles_of_stress(const Attributes& a) {
+  const std::string depth = "at depth " + value_text(a.number("stress_max_depth", NAN),
+                                                     a.number("stress_max_depth_error", NAN), "m");
+  const double yield = a.number("contact_limit_pressure", INFINITY) / hardness,
+               times = a.number("stress_max_von_mises", 0) / yield;
+  return tile(a, "stress_max_von_mises", "largest von Mises stress", "Pa",
+              depth + (times > 1 ? fmt::format("; {:.3g} times the yield stress", times) : "")) +
+         tile(a, "stress_max_shear", "largest shear stress", "Pa", depth) +
+         tile(a, "stress_max_principal", "largest principal stress", "Pa", depth);
 }
 
 // ---- tables ----
 
 std::string parameters_of_surface(const Content& c) {
-  std::string out;
-  for (const Group& group : c.groups) {
-    out += element("h3", escaped(group.title));
-    out += group.omitted.empty() ? measurements(group.rows)
-                                 : element("p", "Not computed: " + escaped(group.omitted) + ".", "soft");
-  }
-  if (out.empty()) return "";
-  std::string untold;
-  if (!c.untold.empty())
-    untold = element(
-        "p", "Warning: no standard errors and intervals can be given: " + escaped(c.untold) + ".", "warning");
-  return untold +
-         element("p",
-                 "Measured from " + escaped(c.reference) +
-                     ". Standard errors and 95\u00A0% intervals account for the correlation of neighbouring "
-                     "points; an empty cell means that none is known.",
-                 "soft") +
-         out;
+  if (c.groups.empty()) return "";
+  std::string out = element("p",
+                            "Measured from " + escaped(c.reference) +
+                                ". Standard errors and 95\u00A0% intervals account for the correlation of "
+                                "neighbouring points; an empty cell means that none is known.",
+                            "soft");
+  for (const Group& group : c.groups)
+    out += folded(group.title, group.omitted.empty()
+                                   ? measurements(group.rows)
+                                   : element("p", "Not computed: " + escaped(group.omitted) + ".", "soft"));
+  return out;
 }
 
-std::string by_stage(const Dataset& data, Role role) {
+std::string by_stage(const Dataset& data, Role role, std::initializer_list<const char*> wanted) {
   std::string out;
   for (const auto& [stage, title] : stages)
-    if (const std::string table = facts(data, role, stage); !table.empty())
-      out += element("h3", title) + table;
+    if (std::ranges::find(wanted, std::string_view(stage)) != wanted.end())
+      if (const std::string table = facts(data, role, stage); !table.empty())
+        out += element("h3", title) + table;
   return out;
 }
 
@@ -136,19 +168,49 @@ std::string foot(const Dataset& data) {
 
 std::string missing(const std::string& why) { return element("p", escaped(why), "soft"); }
 
+struct Section {
+  const char* name;
+  std::string title, content;
+};
+
+std::vector<Section> sections(const Content& c) {
+  const Dataset& data = c.dataset[0].data;
+  const Figures shown = figures(c);
+  const std::string of = c.groups.empty()
+                             ? "Autocorrelation"
+                             : "Statistics of " + (c.variable == "heights" ? "the surface" : c.variable);
+  return {
+      {"scene", "Material and load", by_stage(data, Role::parameter, {"contact", "stress"})},
+      {"field", "Fields", viewer(data, fields_of(data, c.variable)) + shown.field},
+      {"contact", "Contact",
+       contact_results(data) + missing(c.no_grid_errors.contact) + contact_figures(data)},
+      {"stress", "Stress below the surface",
+       facts(data, Role::result, "stress") + missing(c.no_grid_errors.stress) + shown.stress},
+      {"surface", of, shown.surface},
+      {"parameters", "Measured parameters", parameters_of_surface(c)},
+      {"accuracy", "Accuracy of the solvers",
+       folded("Residuals, iterations, time",
+              by_stage(data, Role::achieved, {"kernel", "generate", "contact", "stress"}))},
+      {"making", "How the surface was made",
+       folded("Parameters", by_stage(data, Role::parameter, {"kernel", "generate", "filter"}))},
+      {"history", "History", history(data.attributes.text("history"))},
+      {"contents", "Contents of the dataset", folded("Variables and other attributes", of_the_file(data))}};
+}
+
 std::string body(const Content& c) {
   const Dataset& data = c.dataset[0].data;
+  std::string links, content;
+  for (const Section& s : sections(c)) {
+    if (s.content.empty()) continue;
+    links += fmt::format("<a href=\"#{}\">{}</a>\n", s.name, escaped(s.title));
+    content +=
+        fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", s.name, escaped(s.title), s.content);
+  }
+  const std::string tiles =
+      tiles_of_surface(c) + tiles_of_contact(data.attributes) + tiles_of_stress(data.attributes);
   return element("header", element("h1", escaped(c.title)) + element("p", escaped(what_it_is(c)), "soft")) +
-         warnings(data) + tiles(c) + section("Pictures", pictures(c.dataset, c.variable)) +
-         section("Contact",
-                 contact_results(data) + missing(c.no_grid_errors.contact) + contact_figures(data)) +
-         section("Stress below the surface",
-                 facts(data, Role::result, "stress") + missing(c.no_grid_errors.stress)) +
-         section(c.variable == "heights" ? "Surface" : "Field " + c.variable, parameters_of_surface(c)) +
-         section("Accuracy of the solvers", by_stage(data, Role::achieved)) +
-         section("Parameters", by_stage(data, Role::parameter)) +
-         section("History", history(data.attributes.text("history"))) +
-         section("Contents of the dataset", of_the_file(data)) + foot(data);
+         "<main>\n" + warnings(data, c.untold) + element("dl", tiles, "tiles") +
+         fmt::format("<nav aria-label=\"Sections\">\n{}</nav>\n{}</main>\n", links, content) + foot(data);
 }
 
 }  // namespace
@@ -157,8 +219,9 @@ std::string page(const Content& content) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-      escaped(content.title), style, body(content));
+      "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}<script>\n{}{}</script>\n</body>\n</"
+      "html>\n",
+      escaped(content.title), style, body(content), script, script_of_field);
 }
 
 }  // namespace asperity::report

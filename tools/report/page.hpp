@@ -1,4 +1,5 @@
-/// The page of a dataset: one self-contained file without scripts.
+/// The page of a dataset: one self-contained file, complete without its script, which lets the reader point
+/// at fields and curves (page.js, field.js, page.css).
 #pragma once
 
 #include <string>
@@ -19,7 +20,8 @@ struct Group {
 };
 
 struct Content {
-  const plot::Cases& dataset;  ///< one
+  const plot::Cases& dataset;   ///< one
+  const plot::Cases& measured;  ///< the same with the field as it was measured, form removed and filtered
   std::string title, variable;
   std::string reference;      ///< of heights, in words
   std::vector<Group> groups;  ///< none: the dataset has no such field

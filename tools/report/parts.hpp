@@ -8,7 +8,7 @@
 #include "dataset/catalogue.hpp"
 #include "stats/measure/parameter.hpp"
 #include "tools/cli/readable.hpp"
-#include "tools/plot/figure.hpp"
+#include "tools/report/page.hpp"
 
 namespace asperity::report {
 
@@ -16,12 +16,25 @@ using cli::digits_of;
 using cli::Measurement;
 using cli::readable;
 
-/// Warnings about solvers that did not converge and changed targets.
-std::string warnings(const Dataset& data);
+/// "386 ± 17 nm"
+std::string value_text(const Parameter& row);
+/// A number of SI with the error of the grid, or without where it has none.
+std::string value_text(double value, double error, const std::string& unit);
 
-/// All pictures that the dataset allows, fields as PNG, curves as SVG, and the reasons why others are
-/// missing. `variable` replaces heights.
-std::string pictures(const plot::Cases& dataset, const std::string& variable);
+/// Whether the largest pressure is the limit itself, which has no error of the grid.
+bool at_limit(const Attributes& a);
+
+/// What every tool warned of, and what attributes tell where a dataset lacks the words: solvers that have not
+/// converged, changed targets, stress above yield, layers that the grid does not resolve. `untold`: why the
+/// page has no standard errors.
+std::string warnings(const Dataset& data, const std::string& untold);
+
+/// All pictures that the dataset allows, and the reasons why others are missing. Those of the field stand in
+/// for the live field without a script and on paper.
+struct Figures {
+  std::string field, surface, stress;
+};
+Figures figures(const Content& content);
 
 /// Value, standard error and 95 % interval, one row per quantity.
 std::string measurements(const Parameters& rows);
@@ -32,7 +45,7 @@ std::string contact_figures(const Dataset& data);
 /// Variables with their dimensions, units and meaning.
 std::string contents(const Dataset& data);
 
-/// Label and value of the attributes with this role and stage: kernel, generate, contact, stress.
+/// Label and value of the attributes with this role and stage: kernel, generate, filter, contact, stress.
 std::string facts(const Dataset& data, Role role, std::string_view stage);
 /// All other global attributes except history and source.
 std::string other_attributes(const Dataset& data);

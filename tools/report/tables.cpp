@@ -22,6 +22,13 @@ std::string interval(double low, double high, const Measurement& m) {
   return below && above ? from + " to " + to : below ? "above " + from : above ? "below " + to : "";
 }
 
+std::string bound_in_si(double end) { return std::isfinite(end) ? shortest(end) : ""; }
+
+// The unit that a column is shown in, and that of its exact values.
+std::string unit_element(const std::string& si, const std::string& shown) {
+  return fmt::format("<data value=\"{}\">{}</data>", escaped(si), escaped(shown));
+}
+
 std::string row_of(const Parameter& row) {
   const Measurement m = readable(row);
   const auto ends = row.interval_95();
@@ -31,8 +38,9 @@ std::string row_of(const Parameter& row) {
       labelled(escaped(row.name), escaped(note.empty() ? row.meaning : row.meaning + "; " + note));
   out += cell((row.is_bound ? "&lt;\u00A0" : "") + data_element(row.value, m.value), "number");
   out += cell(known ? data_element(row.standard_error, m.error) : "", "number error");
-  out += cell(known ? interval(ends.low, ends.high, m) : "", "number interval");
-  return element("tr", out + cell(escaped(m.unit), "unit"));
+  out += cell(known ? interval(ends.low, ends.high, m) : "", "number interval",
+              known ? bound_in_si(ends.low) + "\t" + bound_in_si(ends.high) : "\t");
+  return element("tr", out + cell(unit_element(row.unit, m.unit), "unit"));
 }
 
 // A result, the same of smooth bodies, and their ratio.
@@ -52,7 +60,8 @@ std::string with_error(double value, double error, const std::string& unit) {
 
 std::string row_of(const Comparison& c, bool with_smooth) {
   std::string out = labelled(c.label, c.remark);
-  out += cell(with_error(c.value, c.error, c.unit), "number");
+  out += cell(with_error(c.value, c.error, c.unit), "number",
+              fmt::format("{}\t{}\t{}", shortest(c.value), c.error > 0 ? shortest(c.error) : "", c.unit));
   if (!with_smooth) return element("tr", out);
   const bool known = std::isfinite(c.smooth);
   out += cell(known ? data_element(c.smooth, readable(c.smooth, c.unit)) : "", "number smooth");
@@ -91,13 +100,15 @@ std::vector<Comparison> comparisons(const Dataset& data) {
     return Comparison{label, value(name), of_smooth, unit, value((std::string(name) + "_error").c_str()),
                       remark};
   };
+  Comparison pressure = figure("maximum pressure", "max_pressure", value("hertz_pressure"), "Pa");
+  if (at_limit(data.attributes)) pressure.error = NAN, pressure.remark = "the limit pressure itself";
   return {
       figure("load", "load", NAN, "N"),
       figure("approach", "approach", value("hertz_approach"), "m"),
-      figure("maximum pressure", "max_pressure", value("hertz_pressure"), "Pa"),
-      figure("real contact area", "area", smooth.area, "m2",
+      pressure,
+      figure("real contact area", "area_corrected", smooth.area, "m2", "without the bias of whole cells"),
+      figure("area of the cells in contact", "area", smooth.area, "m2",
              share(area, grid.size_x() * grid.size_y(), "the domain")),
-      figure("corrected area", "area_corrected", smooth.area, "m2", "without the bias of whole cells"),
       figure("area at the limit pressure", "plastic_area", NAN, "m2", share(plastic, area, "the contact")),
       figure("mean gap", "mean_gap", NAN, "m"),
       figure("stiffness", "stiffness", smooth.stiffness, "N/m")};
@@ -105,10 +116,17 @@ std::vector<Comparison> comparisons(const Dataset& data) {
 
 }  // namespace
 
+bool at_limit(const Attributes& a) {
+  constexpr double round_off = 1e-12;
+  return a.number("contact_max_pressure", 0) >=
+         (1 - round_off) * a.number("contact_limit_pressure", INFINITY);
+}
+
 std::string measurements(const Parameters& rows) {
   std::string body;
   for (const auto& row : rows) body += row_of(row);
-  return table({"quantity", "value", "standard error", "95\u00A0% interval", "unit"}, body, "measurements");
+  return table({"quantity", "value", "standard error", "95\u00A0% interval|low_95\thigh_95", "unit"}, body,
+               "measurements");
 }
 
 std::string contact_results(const Dataset& data) {
@@ -118,7 +136,7 @@ std::string contact_results(const Dataset& data) {
   for (const Comparison& c : comparisons(data))
     if (std::isfinite(c.value)) body += row_of(c, with_smooth);
   const bool errors = data.attributes.find("contact_area_error") != nullptr;
-  const char* value = errors ? "value ± error of the grid" : "value";
+  const char* value = errors ? "value ± error of the grid|value\terror\tunit" : "value|value\terror\tunit";
   if (!with_smooth) return table({"quantity", value}, body, "results");
   return table({"quantity", value, "smooth bodies (Hertz)", "ratio"}, body, "results");
 }
