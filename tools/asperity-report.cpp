@@ -10,6 +10,7 @@
 #include "tools/cli/table.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/measure/field_options.hpp"
+#include "tools/report/fields.hpp"
 #include "tools/report/page.hpp"
 
 using namespace asperity;
@@ -105,9 +106,10 @@ int report_on(cli::Tool& tool, const Options& o) {
                     "give a dataset with one of them, or --variable NAME");
   const report::NoGridErrors no_grid_errors = report::add_grid_errors(tool, dataset[0].data);
   const plot::Cases as_measured = measured_case(data, {sample, groups});
-  cli::write_all(o.output, report::page({dataset, as_measured, title_of(tool, o.title), o.measured.variable,
-                                         reference_of(o.measured.asked), groups,
-                                         sample ? too_few(sample->size()) : "", no_grid_errors}));
+  cli::write_all(o.output,
+                 report::page({dataset, as_measured, title_of(tool, o.title), o.measured.variable,
+                               reference_of(o.measured.asked), groups, sample ? too_few(sample->size()) : "",
+                               no_grid_errors, report::fields_of(data, o.measured.variable)}));
   return cli::done;
 }
 

@@ -21,6 +21,7 @@ TRY = """
   };
   try {
     for (let k = 0; k < 100 && !text('.readout'); ++k) await pause(50);
+    for (const folded of document.querySelectorAll('details')) folded.open = true;
     out.width = [innerWidth, document.documentElement.scrollWidth];
     out.start = text('.readout');
     const f = of('.map').frame;

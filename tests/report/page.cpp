@@ -175,6 +175,16 @@ TEST_CASE("what is left out says why", "[report][contract]") {
   CHECK_THAT(page, ContainsSubstring("Not computed: every value is the same"));
 }
 
+TEST_CASE("a broken field beside the one that is measured is left out", "[report][contract]") {
+  draw_surface();
+  Dataset data = read_dataset("s.nc");
+  set_field(data, "own", Field::Zero(64, 64), {"K", "own field"});
+  std::get<std::vector<double>>(data.find("own")->values)[7] = INFINITY;
+  write_dataset(data, "broken.nc");
+  const std::string page = report_on("broken.nc");
+  CHECK_THAT(page, ContainsSubstring("data-label=\"height\"") && !ContainsSubstring("data-label=\"own"));
+}
+
 TEST_CASE("names, history and title of a hostile dataset are shown and never markup", "[report][contract]") {
   Dataset data;
   set_grid(data, {{16, 16}, 1e-6, 1e-6});

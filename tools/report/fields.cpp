@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/error.hpp"
 #include "core/words.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
@@ -164,6 +165,13 @@ constexpr const char* controls =
 <canvas class="profile" role="img" aria-label="Profile"></canvas>
 )";
 
+// Broken fields of the user's own are no reason to refuse the others.
+bool can_be_shown(const Dataset& data, const std::string& name) try {
+  return field_of(data, name, Missing::not_a_number).isFinite().any();
+} catch (const DataError&) {
+  return false;
+}
+
 // The place of the largest stress, or the middle.
 Index start_at(const Dataset& data, const char* attribute, double size, Index points) {
   const double share = data.attributes.number(attribute, 0) / size + 0.5;
@@ -189,7 +197,7 @@ std::vector<std::string> fields_of(const Dataset& data, const std::string& first
   if (data.length("x") < 2 || data.length("y") < 2 || !data.has("x") || !data.has("y")) return out;
   for (const Variable& v : data.variables)
     if (v.dimensions == std::vector<std::string>{"x", "y"} && v.name != "mask" && v.values.index() != 0 &&
-        field_of(data, v.name, Missing::not_a_number).isFinite().any())
+        can_be_shown(data, v.name))
       out.insert(v.name == first ? out.begin() : out.end(), v.name);
   return out;
 }
@@ -204,9 +212,7 @@ bool has_volume(const Dataset& data) {
 Dataset in_blocks(const Dataset& data, const std::vector<std::string>& names, Index most) {
   Grid grid = grid_of(data);
   const Shape from = grid.shape;
-  const Index longest = std::max(from.nx, from.ny);
-  const auto blocks = [&](Index n) { return longest <= most ? n : std::max<Index>(1, n * most / longest); };
-  grid.shape = {blocks(from.nx), blocks(from.ny)};
+  grid.shape = {std::min(from.nx, most), std::min(from.ny, most)};
   grid.dx *= static_cast<double>(from.nx) / static_cast<double>(grid.shape.nx);
   grid.dy *= static_cast<double>(from.ny) / static_cast<double>(grid.shape.ny);
   Dataset out;

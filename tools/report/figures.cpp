@@ -46,20 +46,19 @@ Wanted section_of(const Dataset& data) {
 
 bool live_section(const Content& c) {
   const Dataset& data = c.dataset[0].data;
-  return has_volume(data) && !fields_of(data, c.variable).empty();
+  return has_volume(data) && !c.fields.empty();
 }
 
 // What the live field replaces.
 std::vector<Wanted> of_field(const Content& c) {
   const Dataset& data = c.dataset[0].data;
-  const std::vector<std::string> fields = fields_of(data, c.variable);
   std::vector<Wanted> out;
-  for (const std::string& name : fields)
+  for (const std::string& name : c.fields)
     if (name == c.variable || name == "pressure")
       out.push_back({"Map of " + name, plot::map, name, Kind::map});
-  if (is_field(data, c.variable) && !fields.empty())
+  if (is_field(data, c.variable) && !c.fields.empty())
     out.push_back({"Profiles of " + c.variable, plot::profile, c.variable});
-  if (std::ranges::find(fields, "contact") != fields.end())
+  if (std::ranges::find(c.fields, "contact") != c.fields.end())
     out.push_back({"State of contact", plot::contact, "contact", Kind::map});
   if (live_section(c)) out.push_back(section_of(data));
   return out;
@@ -79,7 +78,7 @@ std::vector<Wanted> of_surface(const Content& c) {
   const std::string& v = c.variable;
   std::vector<Wanted> out;
   const bool field = is_field(data, v), whole = field && !cli::counted_cells(data, v);
-  if (field && fields_of(data, v).empty()) out.push_back({"Profile of " + v, plot::profile, v});
+  if (field && c.fields.empty()) out.push_back({"Profile of " + v, plot::profile, v});
   if (v == "heights" && (field || data.has("acf_achieved")))
     out.push_back({"Autocorrelation", plot::acf, "", Kind::curves, {"Sal", "Str"}});
   if (field) out.push_back({"Distribution of " + v, plot::pdf, v, Kind::curves, {"Sq", "Ssk", "Sku"}});

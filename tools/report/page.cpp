@@ -109,7 +109,8 @@ std::string tiles_of_contact(const Attributes& a) {
   else
     out += tile(a, "contact_area", "real contact area", "m2", "whole cells");
   const std::string given = a.text("contact_prescribed");
-  out += tile(a, "contact_load", "load", "N", given == "load" ? "prescribed" : "");
+  out +=
+      tile(a, "contact_load", "load", "N", given == "load" || given == "mean_pressure" ? "prescribed" : "");
   out += tile(a, "contact_mean_pressure", "mean pressure", "Pa", "over the nominal area");
   const std::string highest = "contact_max_pressure", name = "maximum pressure";
   out += at_limit(a)
@@ -181,7 +182,7 @@ std::vector<Section> sections(const Content& c) {
                              : "Statistics of " + (c.variable == "heights" ? "the surface" : c.variable);
   return {
       {"scene", "Material and load", by_stage(data, Role::parameter, {"contact", "stress"})},
-      {"field", "Fields", viewer(data, fields_of(data, c.variable)) + shown.field},
+      {"field", "Fields", viewer(data, c.fields) + shown.field},
       {"contact", "Contact",
        contact_results(data) + missing(c.no_grid_errors.contact) + contact_figures(data)},
       {"stress", "Stress below the surface",

@@ -27,6 +27,7 @@ struct Content {
   std::vector<Group> groups;  ///< none: the dataset has no such field
   std::string untold;         ///< why standard errors are missing; "" if they are given
   NoGridErrors no_grid_errors = {};
+  std::vector<std::string> fields = {};  ///< that the live field shows, `variable` first
 };
 
 std::string page(const Content& content);
