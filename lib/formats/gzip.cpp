@@ -81,8 +81,9 @@ std::string inflated(std::string_view bytes, std::size_t size, Wrapper wrapper) 
 std::string deflated(std::string_view bytes) {
   uLongf size = compressBound(bytes.size());
   std::string out(size, '\0');
-  const int state = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
-                              reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_COMPRESSION);
+  const int state =
+      compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                bytes.size(), Z_DEFAULT_COMPRESSION);
   if (state != Z_OK) throw std::bad_alloc();
   out.resize(size);
   return out;

@@ -20,7 +20,7 @@ namespace asperity::report {
 namespace {
 
 constexpr Index most_blocks = 512, least_blocks = 64;         // along a side
-constexpr std::size_t most_bytes = 480'000;                   // of all fields in the page
+constexpr double most_bytes = 480'000;                        // of all fields in the page
 constexpr Index most_cells = 1 << 19;                         // of a volume
 constexpr double largest_code = 65534, missing_code = 65535;  // of 16 bits
 
@@ -233,11 +233,12 @@ std::string viewer(const Dataset& data, const std::vector<std::string>& names) {
   if (names.empty()) return "";
   std::string fields;
   Dataset blocks;
-  for (Index most = most_blocks;; most = most * 3 / 4) {
-    blocks = in_blocks(data, names, most);
+  for (double most = most_blocks;;
+       most *= 0.97 * std::sqrt(most_bytes / static_cast<double>(fields.size()))) {
+    blocks = in_blocks(data, names, std::max(least_blocks, static_cast<Index>(most)));
     fields.clear();
     for (const std::string& name : names) fields += field_data(blocks, data.at(name));
-    if (fields.size() <= most_bytes || most <= least_blocks) break;
+    if (static_cast<double>(fields.size()) <= most_bytes || most <= least_blocks) break;
   }
   const Grid grid = grid_of(data), shown = grid_of(blocks);
   const double x = 0.5 * grid.size_x(), y = 0.5 * grid.size_y();
