@@ -32,6 +32,9 @@ TRY = """
     slider.dispatchEvent(new Event('input'));
     const label = of('.profile').getAttribute('aria-label');
     out.slid = [text('.readout'), slider.getAttribute('aria-valuetext'), label];
+    const deep = of('.below').frame;
+    point(of('.below'), deep.left + .01, deep.top + deep.height);
+    out.below = text('.readout');
     const which = of('.which');
     which.selectedIndex = 1;
     which.dispatchEvent(new Event('change'));

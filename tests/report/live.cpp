@@ -110,11 +110,14 @@ TEST_CASE(
       0);
   require(
       "asperity-contact s.nc --load 100N --radius 20mm --young 210GPa --poisson 0.3 -q "
-      "| asperity-stress --depths 1um:0.3mm:8 --maximum -q | asperity-report -q -o live.html");
+      "| asperity-stress --depths 1um:0.3mm:8 --maximum -q -o st.nc; asperity-report st.nc -q -o live.html");
   const Outcome run = require("/usr/bin/python3 " BROWSER " live.html");
   if (skipped(run)) return;
   const auto seen = nlohmann::json::parse(run.out);
   const Field z = 1e6 * field_of(read_dataset("s.nc"), "heights");
+  const std::vector<double> stress = numbers(read_dataset("st.nc").at("von_mises").values);
+  const double deepest = 1e-9 * stress[7 * 64 * 64],  // of the first column [GPa]
+      half_step = 1e-9 * std::ranges::max(stress) / 255 / 2;
   for (const char* width : {"wide", "narrow"}) {
     const auto& page = seen[width];
     CAPTURE(width, page.value("error", ""));
@@ -125,6 +128,9 @@ TEST_CASE(
     CHECK_THAT(page["corner"].get<std::string>(), ContainsSubstring("at x = 492.2 µm, y = 492.2 µm"));
     CHECK_THAT(page["slid"][0].get<std::string>(), ContainsSubstring("y = \u2212492.2 µm"));
     CHECK_THAT(page["slid"][2].get<std::string>(), ContainsSubstring("along x at y = \u2212492.2 µm"));
+    const std::string below = page["below"];
+    CHECK_THAT(below, ContainsSubstring(" GPa at x = \u2212492.2 µm, depth 300.0 µm"));
+    CHECK(std::abs(number_in(below.substr(below.find("stress"))) - deepest) <= half_step + 0.5e-3);
     CHECK_THAT(page["second"].get<std::string>(), ContainsSubstring("pressure "));
     CHECK_THAT(page["curve"].get<std::string>(),
                ContainsSubstring("along x: lag 0.0 µm, autocorrelation ρ 1.000"));

@@ -150,7 +150,9 @@ async function viewer(box) {
 
   async function choose() {
     const k = part('which').selectedIndex;
-    field = store[k] ??= await unpacked(scripts[k], ny);
+    const chosen = (store[k] ??= await unpacked(scripts[k], ny));
+    if (k !== part('which').selectedIndex) return;  // another was chosen since
+    field = chosen;
     colours = field.range;
     if (part('robust').checked) {
       const sorted = field.values.filter(Number.isFinite).sort(),
@@ -178,12 +180,9 @@ async function viewer(box) {
     show(f, picture, colours, field.colours);
     const x = f.px(centre('x', at.x)),
       y = f.py(centre('y', at.y));
-    for (const [colour, wide] of [
-      ['#fff', 3],
-      ['#000', 1],
-    ]) {
-      // on any colour
-      Object.assign(f.g, { strokeStyle: colour, lineWidth: wide });
+    // White below black is seen on any colour.
+    for (const [strokeStyle, lineWidth] of Object.entries({ '#fff': 3, '#000': 1 })) {
+      Object.assign(f.g, { strokeStyle, lineWidth });
       f.g.beginPath();
       along === 'x'
         ? (f.g.moveTo(f.left, y), f.g.lineTo(f.left + f.width, y))
@@ -247,7 +246,7 @@ async function viewer(box) {
       (along === 'x' ? deep.ny : deep.nx) - 1,
       Math.floor(((at[across()] + 0.5) / places[across()]) * (along === 'x' ? deep.ny : deep.nx)),
     );
-    const k = clamp(deep.z.findIndex(v => v > z) - 1, 0, deep.z.length - 2),
+    const k = clamp(deep.z.findLastIndex(v => v <= z), 0, deep.z.length - 2),
       q = clamp((z - deep.z[k]) / (deep.z[k + 1] - deep.z[k]), 0, 1);
     const [i, j] = along === 'x' ? [column, other] : [other, column],
       of = k => deep.values[(k * deep.nx + i) * deep.ny + j];
