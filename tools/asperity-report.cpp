@@ -10,6 +10,7 @@
 #include "tools/cli/table.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/measure/field_options.hpp"
+#include "tools/measure/height_tables.hpp"
 #include "tools/report/fields.hpp"
 #include "tools/report/page.hpp"
 
@@ -58,22 +59,6 @@ Measured measured(const cli::Tool& tool, const Dataset& data, const Options& o) 
   return out;
 }
 
-// With the field as it was measured.
-plot::Cases measured_case(const Dataset& data, const Measured& of) {
-  plot::Cases out{{data, "", of.sample}};
-  if (!of.sample) return out;
-  const Surface& s = of.sample->surface();
-  const Field& z = s.heights;
-  Variable& v = *out[0].data.find(s.variable);
-  v.values = std::vector<double>(z.data(), z.data() + z.size());
-  v.unread = nullptr;
-  v.attributes.set("units", s.units);
-  for (const char* name :
-       {"scale_factor", "add_offset", "_FillValue", "missing_value", "valid_range", "valid_min", "valid_max"})
-    v.attributes.erase(name);
-  return out;
-}
-
 std::string reference_of(const Preparation& asked) {
   const Form& form = asked.form;
   const bool polynomial = form.kind == Form::Kind::polynomial && form.degree > 1;
@@ -82,6 +67,24 @@ std::string reference_of(const Preparation& asked) {
     out += ", waves below " + cli::format_quantity(asked.shorter.wavelength, "m") + " removed";
   if (asked.longer.given())
     out += ", waves above " + cli::format_quantity(asked.longer.wavelength, "m") + " removed";
+  return out;
+}
+
+// With the field as it was measured, where a form or waves were removed; but not a pressure or a gap, whose
+// zeros count.
+plot::Cases measured_case(const Dataset& data, const Measured& of, bool prepared) {
+  plot::Cases out{{data, "", of.sample}};
+  if (!of.sample || !prepared) return out;
+  const Surface& s = of.sample->surface();
+  if (cli::counted_cells(data, s.variable)) return out;
+  const Field& z = s.heights;
+  Variable& v = *out[0].data.find(s.variable);
+  v.values = std::vector<double>(z.data(), z.data() + z.size());
+  v.unread = nullptr;
+  v.attributes.set("units", s.units);
+  for (const char* name :
+       {"scale_factor", "add_offset", "_FillValue", "missing_value", "valid_range", "valid_min", "valid_max"})
+    v.attributes.erase(name);
   return out;
 }
 
@@ -105,11 +108,11 @@ int report_on(cli::Tool& tool, const Options& o) {
                     "the dataset has no such variable, nor pressure, von_mises or a kernel: "
                     "give a dataset with one of them, or --variable NAME");
   const report::NoGridErrors no_grid_errors = report::add_grid_errors(tool, dataset[0].data);
-  const plot::Cases as_measured = measured_case(data, {sample, groups});
-  cli::write_all(o.output,
-                 report::page({dataset, as_measured, title_of(tool, o.title), o.measured.variable,
-                               reference_of(o.measured.asked), groups, sample ? too_few(sample->size()) : "",
-                               no_grid_errors, report::fields_of(data, o.measured.variable)}));
+  const std::string reference = reference_of(o.measured.asked);
+  const plot::Cases as_measured = measured_case(data, {sample, groups}, reference != "the mean");
+  cli::write_all(o.output, report::page({dataset, as_measured, title_of(tool, o.title), o.measured.variable,
+                                         reference, groups, sample ? too_few(sample->size()) : "",
+                                         no_grid_errors, report::fields_of(data, o.measured.variable)}));
   return cli::done;
 }
 

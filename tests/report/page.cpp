@@ -108,6 +108,33 @@ TEST_CASE("a contact shows what --add told of it", "[report][contract]") {
   CHECK_THAT(page, !ContainsSubstring("area share"));
 }
 
+TEST_CASE("of a pressure the distribution is that of the cells in contact, with a form removed too",
+          "[report][contract]") {
+  press_surface("");
+  const auto cells = (field_of(read_dataset("c.nc"), "pressure") > 0).count();
+  for (const std::string more : {"", " --remove-form plane"})
+    CHECK_THAT(report_on("c.nc --variable pressure" + more),
+               ContainsSubstring(std::to_string(cells) + " of 4096 cells, in contact"));
+}
+
+TEST_CASE("figures show the field that the tables measure", "[report][contract]") {
+  Dataset tilted;
+  const Grid grid{{32, 32}, 1e-6, 1e-6};
+  set_grid(tilted, grid);
+  const Field rough = 1e-8 * random_field({32, 32}, 1);
+  set_field(tilted, "heights", rough + sample(grid, [](double x, double) { return 0.1 * x; }),
+            {"m", "height"});
+  write_dataset(tilted, "tilted.nc");
+  const auto sq = [](const std::string& page) {
+    const auto at = page.find("<text>Sq = ");
+    REQUIRE(at != page.npos);
+    return std::stod(page.substr(at + 11));
+  };
+  // A plane of 3.1 µm over the side has Sq 0.92 µm.
+  CHECK(sq(report_on("tilted.nc")) == Approx(923).margin(10));
+  CHECK(sq(report_on("tilted.nc --remove-form plane")) < 20);
+}
+
 TEST_CASE("a solver that did not converge is told in plain sight", "[report][contract]") {
   press_surface("--max-convolutions 1");
   const std::string page = report_on("c.nc");
