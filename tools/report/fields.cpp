@@ -20,7 +20,7 @@ namespace asperity::report {
 namespace {
 
 constexpr Index most_blocks = 512, least_blocks = 64;         // along a side
-constexpr double most_bytes = 480'000;                        // of all fields in the page
+constexpr double most_bytes = 420'000;                        // of all fields in the page
 constexpr Index most_cells = 1 << 19;                         // of a volume
 constexpr double largest_code = 65534, missing_code = 65535;  // of 16 bits
 
