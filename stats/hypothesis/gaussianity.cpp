@@ -11,15 +11,15 @@
 #include "core/words.hpp"
 #include "math/linear_algebra.hpp"
 #include "stats/filter/missing.hpp"
-#include "stats/uncertainty/weighted_chi_squared.hpp"
+#include "stats/hypothesis/weighted_chi_squared.hpp"
 
 namespace asperity {
 namespace {
 
-constexpr double reach = 6;
+constexpr double node_reach = 6;
 constexpr Index supremum_nodes = 97, integral_nodes = 193;
 
-Eigen::ArrayXd line(Index nodes) { return Eigen::ArrayXd::LinSpaced(nodes, -reach, reach); }
+Eigen::ArrayXd line(Index nodes) { return Eigen::ArrayXd::LinSpaced(nodes, -node_reach, node_reach); }
 
 std::vector<double> sorted(const Field& z, const Moments& moments) {
   std::vector<double> x(z.data(), z.data() + z.size());
@@ -86,7 +86,7 @@ double pearson(const std::vector<double>& x, int bins) {
 // The weights of ∫ D² φ/(Φ(1-Φ)) dx.
 Eigen::ArrayXd anderson_darling_weights(const EffectiveSampleSize& size) {
   const Eigen::ArrayXd x = line(integral_nodes);
-  const double step = 2 * reach / static_cast<double>(integral_nodes - 1);
+  const double step = 2 * node_reach / static_cast<double>(integral_nodes - 1);
   const Eigen::VectorXd root = x.unaryExpr([step](double at) {
     return std::sqrt(step * gsl_ran_ugaussian_pdf(at) / (gsl_cdf_ugaussian_P(at) * gsl_cdf_ugaussian_Q(at)));
   });
@@ -186,8 +186,8 @@ struct Edges {
 
 Edges edges_of(const std::vector<HeightRun>& heights, const Moments& before, const HeightSteps& steps) {
   auto place = [&](double x) { return (before.mean + x * before.sq - steps.lowest) / steps.step + 0.5; };
-  const auto first = static_cast<Index>(std::ceil(place(-reach))),
-             last = static_cast<Index>(std::floor(place(reach)));
+  const auto first = static_cast<Index>(std::ceil(place(-node_reach))),
+             last = static_cast<Index>(std::floor(place(node_reach)));
   Edges out{ArrayXd(last - first + 1), ArrayXd(last - first + 1)};
   double below = 0;
   auto next = heights.begin();

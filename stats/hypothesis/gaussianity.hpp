@@ -9,8 +9,8 @@
 /// equal. The null distributions used instead are those of a Gaussian field with the sums S_k
 /// (stats/uncertainty/effective_size.hpp):
 ///     JB   χ² of 2 degrees; -6 S_2/N is the bias of Sku in a finite field
-///     KS   the supremum of the process D (stats/uncertainty/null_distribution.hpp)
-///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/uncertainty/weighted_chi_squared.hpp), the weights
+///     KS   the supremum of the process D (stats/hypothesis/null_distribution.hpp)
+///     A²   ∫ D²/(Φ(1-Φ)) dΦ, a weighted sum of χ² (stats/hypothesis/weighted_chi_squared.hpp), the weights
 ///          the eigenvalues of D's covariance by the trapezoidal rule over |x| ≤ 6
 ///     χ²   the sum of squared differences of D over bins, also a weighted sum of χ²; B - 1 or B - 3 degrees
 ///          of freedom would be wrong, because the heights are fitted and not the counts (Chernoff, Lehmann)
@@ -38,7 +38,7 @@
 #include "stats/height/distribution.hpp"
 #include "stats/sample/moments.hpp"
 #include "stats/uncertainty/effective_size.hpp"
-#include "stats/uncertainty/null_distribution.hpp"
+#include "stats/hypothesis/null_distribution.hpp"
 
 namespace asperity {
 

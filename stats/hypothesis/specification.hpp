@@ -2,7 +2,7 @@
 /// lengths.
 ///
 /// The means of seven quantities over M surfaces are compared with those of surfaces that are drawn from the
-/// prescription (stats/uncertainty/random_fields.hpp; if heights are not to be Gaussian, by Johnson's
+/// prescription (stats/hypothesis/random_fields.hpp; if heights are not to be Gaussian, by Johnson's
 /// translation with the prescribed correlation ρ), lose the same points, and are measured alike:
 ///     Sq²           if σ is prescribed
 ///     Ssk, Sku
@@ -63,7 +63,7 @@
 #include "stats/spatial/pairs.hpp"
 #include "stats/uncertainty/effective_size.hpp"
 #include "stats/uncertainty/length_stretch.hpp"
-#include "stats/uncertainty/random_fields.hpp"
+#include "stats/hypothesis/random_fields.hpp"
 
 namespace asperity {
 

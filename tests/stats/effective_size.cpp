@@ -6,7 +6,7 @@
 #include "fields.hpp"
 #include "stats/spatial/acf.hpp"
 #include "stats/uncertainty/moment_interval.hpp"
-#include "stats/uncertainty/weighted_chi_squared.hpp"
+#include "stats/hypothesis/weighted_chi_squared.hpp"
 #include "support.hpp"
 
 using namespace asperity;

@@ -5,7 +5,7 @@
 #include "fields.hpp"
 #include "math/hermite.hpp"
 #include "stats/hypothesis/simulated_law.hpp"
-#include "stats/uncertainty/weighted_chi_squared.hpp"
+#include "stats/hypothesis/weighted_chi_squared.hpp"
 
 using namespace asperity;
 using namespace asperity::test;

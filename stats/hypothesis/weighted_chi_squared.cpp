@@ -1,4 +1,4 @@
-#include "stats/uncertainty/weighted_chi_squared.hpp"
+#include "stats/hypothesis/weighted_chi_squared.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "stats/uncertainty/random_fields.hpp"
+#include "stats/hypothesis/random_fields.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "stats/uncertainty/null_distribution.hpp"
+#include "stats/hypothesis/null_distribution.hpp"
 
 #include <algorithm>
 #include <cmath>
