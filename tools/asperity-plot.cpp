@@ -13,6 +13,7 @@
 #include "tools/cli/surface_words.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/plot/figure.hpp"
+#include "tools/plot/source.hpp"
 #include "tools/plot/table.hpp"
 
 using namespace asperity;
@@ -60,15 +61,23 @@ void declare_figure(cli::Tool& tool, Options& o) {
       "Field on (x, y) to draw, on (z, x, y) in a section: heights, pressure, stress_zz, ... Default: by "
       "--kind",
       group);
-  tool.text(
-      "--section", o.request.section, "AXIS=PLACE",
-      "Place of a section or profile; y=0, x=0.2mm, or y=max: through the largest von Mises stress. It "
-      "runs through the nearest row of cells. Default: y=0, or x=0 of a single row; profiles along both",
-      group);
+  tool.text("--section", o.request.section, "AXIS=PLACE",
+            "Place of a section or profile; y=0, x=0.2mm, or y=max: through the largest von Mises stress, of "
+            "several "
+            "inputs each through its own; y=max-of-all: all through the largest of all. It runs through the "
+            "nearest "
+            "row of cells. Default: y=0, or x=0 of a single row; profiles along both",
+            group);
   tool.may_be_empty(tool.text("--title", o.request.title, "TEXT",
                               "Title of the figure; \"\": none. Default: key values", group));
   tool.input_format();
   tool.text("--labels", o.labels, "A,B,...", "Names of the inputs in the figure. Default: file names", group);
+  tool.flag("--scale-bar", o.request.scale_bar, "Draw a bar of a round length in place of the axes of a map",
+            group);
+}
+
+void declare_sheet(cli::Tool& tool, Options& o) {
+  const std::string group = "Figure";
   tool.integer("--columns", o.request.columns, 1,
                "Number of panels in a row; 1, 2, 3 are for print 8, 11.5, 15 cm wide. Default: one row",
                group)
@@ -89,8 +98,11 @@ void declare_scales(cli::Tool& tool, Options& o) {
   tool.quantities("--y-range", o.y, "m", "Lowest and highest y to draw", group).without_default();
   tool.quantities("--depth-range", o.depth, "m", "Lowest and highest depth to draw in a section", group)
       .without_default();
-  tool.text("--range", o.request.range, "LOW,HIGH",
-            "Lowest and highest value of the colours or the axis, with unit", group);
+  tool.text(
+      "--range", o.request.range, "LOW,HIGH",
+      "Lowest and highest value of the colours or the axis, with unit; 1%:99%: colours of all values but 1 % "
+      "at either end. Default: all values, of heights 0.5%:99.5% where that is less than an eighth of them",
+      group);
   tool.choice("--scale-by", o.scale_by, {"p0"},
               "Divide stresses by this; p0: the Hertz pressure stored in the dataset", group);
   tool.text("--above", o.above, "STRESS",
@@ -129,6 +141,7 @@ plot::Range rising(const char* option, std::array<double, 2> range) {
 constexpr std::pair<const char*, std::string_view> uses[] = {
     {"variable", "map surface profile psd pdf qq abbott contact section von-mises maxima"},
     {"section", "profile section von-mises"},
+    {"scale-bar", "map contact"},
     {"x-range", "map surface profile acf contact section von-mises"},
     {"y-range", "map surface profile contact section von-mises"},
     {"range", "map surface profile qq abbott section von-mises maxima"},
@@ -220,8 +233,9 @@ void warn_of_heights(const cli::Tool& tool, const plot::Request& request, const 
 
 int draw(cli::Tool& tool, const Options& options) {
   tool.writes("output", options.output);
-  const plot::Request request = request_of(tool, options);
+  plot::Request request = request_of(tool, options);
   const plot::Cases cases = read_cases(tool, options);
+  request.section = plot::section_of_all(cases, request.section);
   const auto* kind = std::ranges::find(kinds, request.kind, &Kind::name);
   const plot::Figure figure = kind->describe(cases, request);
   const plot::Picture picture = plot::run_gnuplot(plot::script_of(figure, request));
@@ -240,6 +254,7 @@ int main(int argc, char** argv) {
   tool.arguments("INPUT", options.inputs, "FILE...",
                  "Datasets, or tables, to draw on shared scales; - is standard input");
   declare_figure(tool, options);
+  declare_sheet(tool, options);
   declare_scales(tool, options);
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px --seed 7 "

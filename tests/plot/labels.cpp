@@ -75,21 +75,21 @@ TEST_CASE("a logarithmic axis has powers of ten, or 1, 2 and 5 times them where 
 }
 
 // 15:1, and of a section 0.1 mm deep and 10 mm long, whatever the title.
-TEST_CASE("an axis that is stretched says by how much, beside the other axis", "[plot][contract]") {
+TEST_CASE("an axis that is stretched says by how much, in a note below", "[plot][contract]") {
   write_map("long.nc", {300, 20}, 1e-5, 1e-5);
   write_map("square.nc", {50, 50}, 2e-5, 2e-5);
   REQUIRE(shell("asperity-plot long.nc --kind map --title mine -o a.svg").exit == 0);
-  CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [mm], y × 2.4\n"));  // 0.16 · 15
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [mm]\ny × 2.4\n"));  // 0.16 · 15
   REQUIRE(shell("asperity-plot square.nc --kind map -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm]\n"));
   // Of several maps with different sides each says its own.
   REQUIRE(shell("asperity-plot square.nc long.nc --kind map --columns 1 --labels a,b -o a.svg").exit == 0);
-  CHECK_THAT(words_of("a.svg"), ContainsSubstring("\nx [mm], y × 15\n") && ContainsSubstring("\na\n"));
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("\nx [mm]\ny × 15\n") && ContainsSubstring("\na\n"));
   REQUIRE(shell("asperity-plot long.nc square.nc --kind map --columns 1 --labels a,b -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"),
-             ContainsSubstring("\nx [mm], y × 2.4\n") && ContainsSubstring("\nx [µm], x × 6.25\n"));
+             ContainsSubstring("\nx [mm]\ny × 2.4\n") && ContainsSubstring("\nx [µm]\nx × 6.25\n"));
   REQUIRE(test::plot("--kind von-mises --depth-range 0um,10um --title mine -o a.svg").exit == 0);
-  CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm], depth × 14.4\n"));  // 0.25 · 575 µm / 10 µm
+  CHECK_THAT(words_of("a.svg"), ContainsSubstring("x [µm]\ndepth × 14.4\n"));  // 0.25 · 575 µm / 10 µm
   REQUIRE(shell("asperity-plot square.nc --kind surface --title mine -o a.svg").exit == 0);
   CHECK_THAT(words_of("a.svg"), ContainsSubstring("height [nm] × 200\n"));
 }

@@ -78,7 +78,7 @@ TEST_CASE("the density axis ends above the histogram and the Gaussian, not at th
     const plot::Figure figure = plot::pdf({{data, "one"}}, request);
     double highest = 0;
     for (const plot::Layer& l : figure.panels[0].layers)
-      if (l.command.find("vectors") == l.command.npos) {
+      if (l.command.find("boxxyerror") == l.command.npos) {
         const std::size_t columns = l.command.find("boxes") != l.command.npos ? 3 : 2;
         for (std::size_t k = 1; k < l.numbers.size(); k += columns) highest = std::max(highest, l.numbers[k]);
       }

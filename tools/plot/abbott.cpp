@@ -4,80 +4,103 @@
 
 #include "stats/measure/parameter.hpp"
 #include "stats/measure/quantile_estimates.hpp"
-#include "tools/plot/construction.hpp"
+#include "tools/plot/layout.hpp"
 #include "tools/plot/measured.hpp"
-#include "tools/plot/source.hpp"
+#include "tools/plot/series.hpp"
 
 namespace asperity::plot {
 namespace {
 
 constexpr Index pieces = 400, intervals = 99;  // of the curve; shares with an interval
+constexpr double line_height = 1.3;            // [em]
 
-struct Bearing : Construction {
-  Field band = {};  ///< share [%] and both ends of the 95 % interval; no rows where errors are unknown
+struct Bearing {
+  CoreParameters core;
+  Parameters parameters;
+  Series::Column share, height;                 ///< the curve
+  Series::Column at = {}, low = {}, high = {};  ///< 95 % intervals, NaN where they are unknown
 
-  Range range() const {
-    const Range r = range_of(curve.col(1));
-    return {std::min(r.low, dale()), std::max(r.high, peak())};
-  }
+  /// The tips of the triangles.
+  double peak() const { return core.upper + core.spk; }
+  double dale() const { return core.lower - core.svk; }
+  bool banded() const { return (low.isFinite() && high.isFinite()).count() > 1; }
+  Range range() const { return {std::min(height.minCoeff(), dale()), std::max(height.maxCoeff(), peak())}; }
 };
 
-Field band_of(const Sample& sample, const MaterialRatioCurve& curve) {
-  if (!sample.size().gives_errors()) return Field(0, 3);
+void add_intervals(Bearing& to, const Sample& sample, const MaterialRatioCurve& curve) {
+  if (!sample.size().gives_errors()) return;
   std::vector<double> below, heights;
   for (Index k = 0; k < intervals; ++k) {
     below.push_back(1 - (static_cast<double>(k) + 0.5) / intervals);
     heights.push_back(curve.quantile(below.back()));
   }
-  const std::vector<Estimate> estimates = quantile_estimates(sample, below, heights);
-  Field out(intervals, 3);
-  Index known = 0;
-  for (std::size_t k = 0; k < estimates.size(); ++k) {
-    const Estimate& e = estimates[k];
-    const Interval ends = e.interval.value_or(Interval::about(e.value, half_width_95 * e.standard_error));
-    if (std::isfinite(ends.low) && std::isfinite(ends.high))
-      out.row(known++) << 100 * (1 - below[k]), ends.low, ends.high;
-  }
-  return out.topRows(known);
+  const auto interval = [](const Estimate& e) {
+    return e.interval.value_or(Interval::about(e.value, half_width_95 * e.standard_error));
+  };
+  const std::vector<Estimate> all = quantile_estimates(sample, below, heights);
+  to.at = column_of(below, [](double share) { return 1 - share; });
+  to.low = column_of(all, [&](const Estimate& e) { return interval(e).low; });
+  to.high = column_of(all, [&](const Estimate& e) { return interval(e).high; });
 }
 
 Bearing bearing_of(const Case& c, const std::string& variable) {
   const Sample sample = measured_whole(c, variable);
   const MaterialRatioCurve curve = sample.material_ratio();
-  Bearing out{{curve.core(), Field(pieces + 1, 2)}};
+  Bearing out{curve.core(), measure(sample, Group::material, {}), Series::Column(pieces + 1),
+              Series::Column(pieces + 1)};
   for (Index k = 0; k <= pieces; ++k) {
-    const double share = static_cast<double>(k) / pieces;
-    out.curve.row(k) << 100 * share, curve.height(share);
+    out.share(k) = static_cast<double>(k) / pieces;
+    out.height(k) = curve.height(out.share(k));
   }
-  out.band = band_of(sample, curve);
+  add_intervals(out, sample, curve);
   return out;
 }
 
-std::vector<Layer> layers_of(const Bearing& b, Range shown, double unit) {
-  const double spk = b.core.spk, svk = b.core.svk, upper = b.core.upper, lower = b.core.lower,
-               first = 100 * b.core.smr1, second = 100 * b.core.smr2;
-  std::vector<Layer> out;
-  constexpr const char *fill = "with filledcurves closed fillcolor rgb '#f6cfae' fillstyle solid",
-                       *thin = "with lines linewidth 0.8 linecolor rgb '#707070'",
-                       *drop = "with lines linewidth 0.8 dashtype (2,3) linecolor rgb '#707070'";
-  if (spk > 0) out.push_back(in_units(Field{{0, upper}, {0, b.peak()}, {first, upper}}, unit, fill));
-  if (svk > 0) out.push_back(in_units(Field{{100, lower}, {100, b.dale()}, {second, lower}}, unit, fill));
-  if (b.band.rows() > 1)
-    out.push_back(
-        in_units(b.band, unit, "with filledcurves fillcolor rgb '#0072b2' fillstyle transparent solid 0.25"));
-  out.push_back(in_units(Field{{0, upper}, {100, upper}}, unit, thin));
-  out.push_back(in_units(Field{{0, lower}, {100, lower}}, unit, thin));
-  out.push_back(in_units(Field{{first, upper}, {first, shown.low}}, unit, drop));
-  out.push_back(in_units(Field{{second, lower}, {second, shown.low}}, unit, drop));
-  out.push_back(in_units(b.curve, unit, "with lines linewidth 1.8 linecolor rgb '#0072b2'"));
-  out.push_back(in_units(Field{{0, upper}, {100, lower}}, unit,
-                         "with lines linewidth 1.4 dashtype (8,5) linecolor rgb 'black'"));
-  return out;
+// Ratios, as the axis has them.
+Parameters in_percent(Parameters all) {
+  for (Parameter& p : all) p.value *= 100, p.standard_error *= 100, p.unit = "%";
+  return all;
 }
 
-std::string title_of(const CoreParameters& core, const Unit& unit) {
-  return fmt::format("Sk = {}, Spk = {}, Svk = {} {}", brief(core.sk / unit.factor),
-                     brief(core.spk / unit.factor), brief(core.svk / unit.factor), unit.name);
+using Numbers = Series::Column;
+Numbers both(double a, double b) { return Numbers{{a, b}}; }
+
+void add_curves(Series to, const Bearing& b, Range shown) {
+  const double upper = b.core.upper, lower = b.core.lower, first = b.core.smr1, second = b.core.smr2;
+  const char* fill = "with filledcurves closed fillcolor rgb '#f6cfae' fillstyle solid";
+  const std::string grey = "#707070", blue = "#0072b2";
+  if (b.core.spk > 0) to.add(Numbers{{0, 0, first}}, Numbers{{upper, b.peak(), upper}}, fill);
+  if (b.core.svk > 0) to.add(Numbers{{1, 1, second}}, Numbers{{lower, b.dale(), lower}}, fill);
+  to.band(b.at, b.low.max(shown.low), b.high.min(shown.high), blue, 0.25);
+  for (const double end : {upper, lower}) to.line(both(0, 1), both(end, end), grey, 0.8);
+  to.line(both(first, first), both(upper, shown.low), grey, 0.8, "(2,3)");
+  to.line(both(second, second), both(lower, shown.low), grey, 0.8, "(2,3)");
+  to.line(b.share, b.height, blue, 1.8);
+  to.line(both(0, 1), both(upper, lower), "black", 1.4, "(8,5)");
+}
+
+// The lengths Spk, Sk, Svk stand right of the panel, each at the middle of its arrow, or so far off that
+// their names are clear of each other. A panel of this height [em] that is too low for all has Sk alone.
+void add_lengths(Script& script, const Bearing& b, Range shown, double height) {
+  const auto place = [&](double z) { return std::clamp((z - shown.low) / shown.width(), 0.0, 1.0); };
+  const double apart = line_height / height, ends = std::min(0.5, 1.5 * apart),
+               core = std::clamp(0.5 * (place(b.core.upper) + place(b.core.lower)), ends, 1 - ends);
+  const struct {
+    const char* name;
+    Range of;
+    double least, most;
+  } lengths[] = {{"Spk", {b.core.upper, b.peak()}, core + apart, 1 - 0.5 * apart},
+                 {"Sk", {b.core.lower, b.core.upper}, core, core},
+                 {"Svk", {b.dale(), b.core.lower}, 0.5 * apart, core - apart}};
+  for (const auto& [name, of, least, most] : lengths) {
+    const double low = place(of.low), high = place(of.high);
+    if (!(low < high) || least > most) continue;
+    script.line(
+        "set arrow from graph 1.03,graph {} to graph 1.03,graph {} heads size screen 0.006,90 linewidth 1",
+        low, high);
+    script.line("set label {} at graph 1.05,graph {} left noenhanced", gnuplot_string(name),
+                std::clamp(0.5 * (low + high), least, most));
+  }
 }
 
 }  // namespace
@@ -96,18 +119,20 @@ Figure abbott(const Cases& cases, const Request& request) {
   const Unit unit = unit_for(heights.magnitude(), quantity.unit);
   using enum LegendEntry::Key;
   Figure out = side_by_side(request, cases);
-  if (!out.comparison) out.title = title_of(all[0].core, unit);
-  const bool banded = std::ranges::any_of(all, [](const Bearing& b) { return b.band.rows() > 1; });
+  if (!out.comparison) out.title = in_words(all[0].parameters, {"Sk", "Spk", "Svk"});
+  const bool banded = std::ranges::any_of(all, &Bearing::banded);
   out.legend = {{line, "#0072b2", in_plural(quantity) + (banded ? ", 95 % intervals" : "")},
                 {dashes, "black", "core line"}};
   out.right = out.gap_x = 4;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     out.panels[c].x = {{0, 100}, "material ratio [%]"};
     out.panels[c].y = axis_of(heights, unit, above_mean(quantity));
-    out.panels[c].layers = layers_of(all[c], heights, unit.factor);
+    add_curves({out.panels[c], 0.01, unit.factor}, all[c], heights);
   }
+  if (!out.comparison) add_note(out, 0, in_words(in_percent(all[0].parameters), {"Smr1", "Smr2"}));
   const Layout layout = layout_of(out, request);
-  for (std::size_t c = 0; c < cases.size(); ++c) add_labels(out, c, all[c], heights, layout);
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    add_lengths(out.panels[c].commands, all[c], heights, layout.panel_height / layout.em);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "stats/filter/form.hpp"
 #include "stats/measure/acf_estimate.hpp"
 #include "stats/spatial/acf_length.hpp"
+#include "tools/plot/series.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -105,32 +106,18 @@ Profiles profiles_of(const Case& c) {
   return out;
 }
 
-// Lag and ρ, or lag and both ends of the band of ± 2 standard errors.
-Field rows_of(const Curve& curve, double factor, bool band = false) {
-  Field out(static_cast<Index>(curve.size()), band ? 3 : 2);
-  for (Index k = 0; const Point& p : curve)
-    if (band)
-      out.row(k++) << p.lag / factor, p.rho - 2 * p.error, p.rho + 2 * p.error;
-    else
-      out.row(k++) << p.lag / factor, p.rho;
-  return out;
-}
-
-// Bands first, then the curves, the target on top.
-std::vector<Layer> layers_of(const Profiles& profiles, double factor) {
-  std::vector<Layer> out;
+// Bands of ± 2 standard errors first, then the curves, the target on top.
+void add_curves(Series to, const Profiles& profiles) {
+  const auto lags = [](const Curve& c) { return column_of(c, [](const Point& p) { return p.lag; }); };
+  const auto at = [](const Curve& c, int errors) {
+    return column_of(c, [&](const Point& p) { return p.rho + errors * p.error; });
+  };
   for (std::size_t d = 0; d < 2 && profiles.with_errors; ++d)
-    out.push_back(points(rows_of(profiles.found[d], factor, true),
-                         fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.18",
-                                     line_colour(d))));
+    to.band(lags(profiles.found[d]), at(profiles.found[d], -2), at(profiles.found[d], 2), line_colour(d),
+            0.18);
   for (std::size_t d = 0; d < 2; ++d)
-    out.push_back(points(rows_of(profiles.found[d], factor),
-                         fmt::format("with lines linewidth 1.6 linecolor rgb '{}'", line_colour(d))));
-  for (const Curve& target : profiles.target)
-    if (!target.empty())
-      out.push_back(
-          points(rows_of(target, factor), "with lines linewidth 1.2 dashtype (8,5) linecolor rgb 'black'"));
-  return out;
+    to.line(lags(profiles.found[d]), at(profiles.found[d], 0), line_colour(d), 1.6);
+  for (const Curve& target : profiles.target) to.line(lags(target), at(target, 0), "black", 1.2, "(8,5)");
 }
 
 // Of what is drawn in any panel.
@@ -191,7 +178,7 @@ Figure acf(const Cases& cases, const Request& request) {
     panel.x = axis_of(lags, length, "lag");
     panel.y = {{lowest < 0 ? std::floor(lowest * 10 - 0.2) / 10 : 0, 1.04}, "autocorrelation ρ"};
     panel.commands.line("set xzeroaxis linewidth 0.6 linecolor rgb '#808080'");
-    panel.layers = layers_of(all[c], length.factor);
+    add_curves({panel, length.factor, 1}, all[c]);
   }
   return out;
 }

@@ -16,19 +16,24 @@ constexpr const char* missing_colour = "#d4d4d4";
 constexpr const char* missing_hatch = "fillcolor rgb '#8f8f8f' fillstyle transparent pattern 4";
 constexpr double bar_distance = 0.8, bar_width = 0.9;
 
+// In the terminal's points.
+double letter_size(const Layout& at, const std::string& format) {
+  return format == "svg" ? at.em : em_of_cairo * (format == "pdf" ? em_in_points : at.em);
+}
+
 // The em is `at.em` pixels in PNG and SVG, and 0.25 cm in PDF.
 std::string terminal(const Layout& at, const std::string& format) {
-  const double em = at.em;
+  const double em = at.em, letters = letter_size(at, format);
   if (format == "pdf")
     return fmt::format(
         "pdfcairo noenhanced size {:.4f}cm,{:.4f}cm font 'DejaVu Sans,{:.3f}' fontscale 1 linewidth {:.3f}",
         static_cast<double>(at.pixels.nx) * em_in_cm / em, static_cast<double>(at.pixels.ny) * em_in_cm / em,
-        em_of_cairo * em_in_points, em_in_points / 16 / pdf_line);
+        letters, em_in_points / 16 / pdf_line);
   if (format == "png")
     return fmt::format("pngcairo noenhanced size {},{} font 'DejaVu Sans,{:.2f}' linewidth {:.2f}",
-                       at.pixels.nx, at.pixels.ny, em_of_cairo * em, em / 16);
+                       at.pixels.nx, at.pixels.ny, letters, em / 16);
   return fmt::format("svg noenhanced name 'asperity' size {},{} font 'sans-serif,{:.2f}' linewidth {:.2f}",
-                     at.pixels.nx, at.pixels.ny, em, em / 16);
+                     at.pixels.nx, at.pixels.ny, letters, em / 16);
 }
 
 // The point size of a symbol one em wide: gnuplot's unit is 6 px in PNG, 6 pt in PDF and 0.75 em in SVG.
@@ -40,7 +45,8 @@ double dot_size(const Layout& at, const std::string& format) {
 // The commands of a figure, part by part.
 class Writer {
  public:
-  Writer(const Figure& figure, const Layout& layout) : figure_(figure), at_(layout), em_(layout.em) {}
+  Writer(const Figure& figure, const Layout& layout, const std::string& format)
+      : figure_(figure), at_(layout), em_(layout.em), letters_(letter_size(layout, format)) {}
 
   void begin(const std::string& format) {
     script.line("set encoding utf8\nset terminal {} background rgb 'white'", terminal(at_, format));
@@ -74,15 +80,30 @@ class Writer {
     const bool hidden = !labels_x(figure_, panel);
     axis("x", x, tics_along(x, at_.panel_width / em_), hidden);
     if (hidden) return;
-    const auto [text, at] =
-        within(x.label + x.note, at_.x_of(panel) + 0.5 * at_.panel_width, beside(), sheet_x());
-    label(text, at, at_.y_of(panel) - (figure_.bottom - 0.8) * em_, "center");
+    const double centre = at_.x_of(panel) + 0.5 * at_.panel_width,
+                 y = at_.y_of(panel) - (x.bar.empty() ? below_axis : below_bar) * em_;
+    const auto [text, at] = within(x.label, centre, beside(), sheet_x());
+    if (x.bar.empty())
+      label(text, at, y, "center");
+    else
+      scale_bar(x, at_.x_of(panel), y);
+    if (!x.note.empty())
+      label(within(x.note, centre, beside() / small, sheet_x()).text, centre, y - line_of_note * em_,
+            fmt::format("center font ',{:.3f}' textcolor rgb '#505050'", small * letters_));
+  }
+
+  void scale_bar(const Axis& axis, double x, double y) {
+    const double length = round_step(axis.range.width(), 5),
+                 end = x + length / axis.range.width() * at_.panel_width;
+    script.line("set arrow from screen {},{} to screen {},{} nohead linewidth 4", screen_x(x), screen_y(y),
+                screen_x(end), screen_y(y));
+    label(fmt::format("{:.6g} {}", length, axis.bar), end + 0.6 * em_, y, "left");
   }
 
   void y_axis(std::size_t panel, const Axis& y) {
     const bool hidden = !labels_y(figure_, panel);
     axis("y", y, tics_across(y, at_.panel_height / em_), hidden);
-    if (hidden) return;
+    if (hidden || !y.bar.empty()) return;
     const double x = at_.x_of(panel) - (at_.margin - 0.9) * em_, top = beside_panels(x);
     const auto [text, at] =
         within(y.label, at_.y_of(panel) + 0.5 * at_.panel_height, at_.rows > 1 ? at_.step_y : top, top);
@@ -158,7 +179,7 @@ class Writer {
   // What a text below or above a panel may take.
   double beside() const { return at_.columns > 1 ? at_.step_x : sheet_x(); }
 
-  void label(const std::string& text, double x, double y, const char* style) {
+  void label(const std::string& text, double x, double y, std::string_view style) {
     script.line("set label {} at screen {},{} {} noenhanced", gnuplot_string(text), screen_x(x), screen_y(y),
                 style);
   }
@@ -168,6 +189,7 @@ class Writer {
     script.line("{} logscale {}", axis.logarithmic ? "set" : "unset", name);
     script.line("set {}range [{}:{}]", name, axis.downwards ? range.high : range.low,
                 axis.downwards ? range.low : range.high);
+    if (!axis.bar.empty()) tics.clear();
     for (Tic& tic : tics)
       if (hidden) tic.text.clear();
     script.line("{}", command(name, tics));
@@ -213,7 +235,7 @@ class Writer {
 
   const Figure& figure_;
   const Layout& at_;
-  double em_;
+  double em_, letters_;
 };
 
 }  // namespace
@@ -224,10 +246,6 @@ void show_missing(Figure& figure) {
   for (Panel& p : figure.panels)
     p.commands.line("{0} fillcolor rgb '{1}' fillstyle solid noborder\n{0} {2} noborder", all, missing_colour,
                     missing_hatch);
-}
-
-std::string stretch_in_words(const char* axis, double factor) {
-  return factor > 1.005 ? fmt::format(", {} × {}", axis, brief(factor)) : "";
 }
 
 // M. Okabe, K. Ito, Color universal design (2008).
@@ -247,7 +265,7 @@ Figure side_by_side(const Request& request, const Cases& cases) {
 
 Script script_of(const Figure& figure, const Request& request) {
   const Layout layout = layout_of(figure, request);
-  Writer writer(figure, layout);
+  Writer writer(figure, layout, request.format);
   writer.begin(request.format);
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     const Panel& panel = figure.panels[k];

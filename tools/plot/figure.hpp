@@ -32,6 +32,7 @@ struct Request {
   std::string range;                                           ///< of values, as typed; empty: from the data
   bool scale_by_hertz = false;                                 ///< stresses in units of p0
   cli::StressBound above;                                      ///< least value shown
+  bool scale_bar = false;                                      ///< in place of the axes of a map
   bool titled = false;                                         ///< `title` was given
   std::string title;
   int columns = 0;     ///< of panels; 0: all panels in one row
@@ -55,7 +56,8 @@ struct Axis {
   Range range;
   std::string label;
   bool downwards = false, logarithmic = false;
-  std::string note = {};  ///< after the label, of this panel alone: ", y × 6"
+  std::string note = {};  ///< in small letters below the label, of this panel alone: "y × 6"
+  std::string bar = {};   ///< a unit: in place of numbers and label stands a bar of a round length below x
 };
 /// What of its range can be drawn.
 inline Range drawn(const Axis& axis) { return axis.logarithmic ? axis.range : drawable(axis.range); }
@@ -103,7 +105,7 @@ struct Figure {
 /// One panel per case, in the requested number of columns.
 Figure side_by_side(const Request& request, const Cases& cases);
 
-/// Bounds of the aspect of a panel with equal scales; beyond them one axis is stretched, and the label of x
+/// Bounds of the aspect of a panel with equal scales; beyond them one axis is stretched, and a note below x
 /// says so, which is there whatever the title.
 inline constexpr double flattest = 0.16, tallest = 2.5;
 
@@ -111,17 +113,15 @@ Script script_of(const Figure& figure, const Request& request);
 
 /// Hatches in grey, which no palette has, what the images of all panels leave uncovered, and says so above.
 void show_missing(Figure& figure);
-/// ", y × 6" where an axis is that much longer than the scale of the other says; "" where it is not longer.
-std::string stretch_in_words(const char* axis, double factor);
-
 /// The colour of line k; hue and lightness differ, so that colour-blind readers can tell lines apart.
 const char* line_colour(std::size_t k);
 
 // ---- kinds of figures ----
 
-/// A field in false colours, scales equal along x and y; several cases share their colours.
+/// A field in false colours, scales equal along x and y; several cases share their colours. Where a panel has
+/// fewer pixels than points, they show means of blocks of points, and a note says so.
 Figure map(const Cases& cases, const Request& request);
-/// The contact state: open, elastic, at the limit pressure.
+/// The contact state: open, elastic, at the limit pressure; of a block the largest, lest a contact disappear.
 Figure contact(const Cases& cases, const Request& request);
 /// A field in perspective, with heights enlarged by a round factor that the title states.
 Figure surface(const Cases& cases, const Request& request);

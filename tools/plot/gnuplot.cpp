@@ -83,6 +83,19 @@ void escape_ends_of_sections(std::string& bytes) {
     bytes.replace(at, end.size(), escaped);
 }
 
+// gnuplot draws symbols in SVG with lines of a hair's width, whatever their linewidth: here it is this part
+// of their radius.
+void thicken_symbols(std::string& bytes) {
+  if (!bytes.starts_with("<?xml")) return;
+  constexpr std::string_view symbol = "id='gpPt", width = "stroke-width='", wide = "0.3";
+  for (auto at = bytes.find(symbol); at != bytes.npos; at = bytes.find(symbol, at + 1)) {
+    const auto begin = bytes.find(width, at);
+    if (begin >= bytes.find('>', at)) continue;
+    const auto number = begin + width.size();
+    bytes.replace(number, bytes.find('\'', number) - number, wide);
+  }
+}
+
 // gnuplot does not draw an image of a single line of cells: the line is doubled at half the width.
 void halve(Field& values, double& first, double& step, bool rows) {
   values = rows ? Field(values.replicate(2, 1)) : Field(values.replicate(1, 2));
@@ -141,6 +154,7 @@ Picture run_gnuplot(const Script& script) {
   Picture picture{content_of(output), content_of(error)};
   blank_date(picture.bytes);
   escape_ends_of_sections(picture.bytes);
+  thicken_symbols(picture.bytes);
   if (!well) throw std::runtime_error("gnuplot failed: " + reason(picture.remarks));
   if (picture.bytes.empty()) throw std::runtime_error("gnuplot drew nothing: " + reason(picture.remarks));
   return picture;

@@ -137,10 +137,21 @@ bool labels_y(const Figure& figure, std::size_t panel) {
          !same(figure.panels[panel].y, figure.panels[panel - 1].y);
 }
 
-void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up) {
+void add_note(Figure& figure, std::size_t panel, const std::string& text) {
+  if (text.empty()) return;
   Panel& of = figure.panels[panel];
-  (labels_x(figure, panel) ? of.x->note : of.label) += stretch_in_words(along, true_aspect / figure.aspect) +
-                                                       stretch_in_words(up, figure.aspect / true_aspect);
+  const bool below = labels_x(figure, panel);
+  std::string& note = below ? of.x->note : of.label;
+  note += (note.empty() ? "" : ", ") + text;
+  const auto noted = [](const Panel& p) { return p.x && !p.x->note.empty(); };
+  if (below && note == text && std::ranges::count_if(figure.panels, noted) == 1)
+    figure.bottom += line_of_note;
+}
+
+void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up) {
+  for (const auto& [axis, factor] :
+       {std::pair{along, true_aspect / figure.aspect}, {up, figure.aspect / true_aspect}})
+    if (factor > 1.005) add_note(figure, panel, fmt::format("{} × {}", axis, brief(factor)));
 }
 
 double bar_height(const Layout& layout) { return std::max(layout.panels_high, least_bar * layout.em); }

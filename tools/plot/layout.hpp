@@ -11,7 +11,8 @@ namespace asperity::plot {
 using LegendLine = std::vector<LegendEntry>;
 // [em]
 inline constexpr double key_length = 2.0, legend_gap = 1.6, line_of_legend = 2.0, line_of_title = 2.0,
-                        label_height = 1.5;
+                        label_height = 1.5, below_axis = 3.2, below_bar = 1.0, line_of_note = 1.3,
+                        small = 0.86;
 /// Length of an entry, and of a line of entries [em].
 double length_of(const LegendEntry& entry);
 double length_of(const LegendLine& line);
@@ -43,8 +44,10 @@ double bar_step(const Layout& layout, Range shown);
 bool labels_x(const Figure& figure, std::size_t panel);
 bool labels_y(const Figure& figure, std::size_t panel);
 
-/// Says by how much an axis of a panel is longer than the scale of the other says: beside x, or above the
-/// panel where x has no label. The axes of all panels are there.
+/// Adds to the small note below x, or to the label above the panel where x has none. The axes of all panels
+/// are there.
+void add_note(Figure& figure, std::size_t panel, const std::string& text);
+/// Notes by how much an axis of a panel is longer than the scale of the other says: "y × 6".
 void tell_stretch(Figure& figure, std::size_t panel, double true_aspect, const char* along, const char* up);
 
 /// Titles of more than two lines and legends of more than three are shortened.

@@ -1,5 +1,6 @@
 // Fields seen from above, with equal scales on both axes.
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "tools/plot/layout.hpp"
@@ -13,22 +14,75 @@ constexpr struct {
   const char *colour, *name;
 } states[] = {{"#ecece6", "open"}, {"#4d9fd6", "elastic"}, {"#a3123a", "at the limit"}};
 
+// Blocks of so many points along x and y, of which each pixel shows one.
+struct Blocks {
+  Index along_x, along_y;
+
+  bool single() const { return along_x == 1 && along_y == 1; }
+};
+// SVG and PDF are looked at enlarged too.
+Blocks blocks_of(const Patch& p, const Layout& layout, const Request& request) {
+  const double scale = request.format == "png" ? 1 : 4;
+  auto per_pixel = [&](Index points, double pixels) {
+    return static_cast<Index>(std::ceil(static_cast<double>(points) / std::max(1.0, scale * pixels)));
+  };
+  return {per_pixel(p.values.rows(), layout.panel_width), per_pixel(p.values.cols(), layout.panel_height)};
+}
+
+// A value for each block from those of its points that are not missing; where the side is no multiple, some
+// blocks are a point shorter.
+template <class Value>
+Field in_blocks(const Field& all, Blocks of, Value value) {
+  const Index nx = (all.rows() + of.along_x - 1) / of.along_x,
+              ny = (all.cols() + of.along_y - 1) / of.along_y;
+  return Field::NullaryExpr(nx, ny, [&](Index i, Index j) {
+    const Index x = i * all.rows() / nx, y = j * all.cols() / ny;
+    const auto block = all.block(x, y, (i + 1) * all.rows() / nx - x, (j + 1) * all.cols() / ny - y);
+    const auto there = block.isFinite();
+    return there.any() ? value(block, there) : std::numeric_limits<double>::quiet_NaN();
+  });
+}
+
+enum class Shows { means, largest };
+Field pixels_of(const Field& all, Blocks of, Shows shows) {
+  if (of.single()) return all;
+  if (shows == Shows::largest)
+    return in_blocks(all, of, [](const auto& block, const auto& there) {
+      return there.select(block, -unlimited).maxCoeff();
+    });
+  return in_blocks(all, of, [](const auto& block, const auto& there) {
+    return there.select(block, 0).sum() / static_cast<double>(there.count());
+  });
+}
+
 // Values are divided by `unit`. Each panel has the unit of length that suits its size.
-Figure plan_view(const Cases& cases, const std::vector<Patch>& patches, double unit, const Request& request) {
-  Figure out = side_by_side(request, cases);
+void add_plan_views(Figure& out, const std::vector<Patch>& patches, double unit, const Request& request,
+                    Shows shows) {
   out.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
-  for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Patch& p = patches[c];
-    const Unit length = unit_for(reach(p), "m");
-    out.panels[c].x = axis_of(p.x, length, "x");
-    out.panels[c].y = axis_of(p.y, length, "y");
-    out.panels[c].layers = {raster(p.values / unit, lattice_of(p, length, length), "with image")};
+  if (request.scale_bar) out.left = 1.2, out.bottom = 2;
+  for (std::size_t c = 0; c < patches.size(); ++c) {
+    const Unit length = unit_for(reach(patches[c]), "m");
+    out.panels[c].x = axis_of(patches[c].x, length, "x");
+    out.panels[c].y = axis_of(patches[c].y, length, "y");
+    for (auto* axis : {&out.panels[c].x, &out.panels[c].y})
+      if (request.scale_bar) (*axis)->bar = length.name;
   }
-  for (std::size_t c = 0; c < cases.size(); ++c)
+  for (std::size_t c = 0; c < patches.size(); ++c)
     tell_stretch(out, c, patches[c].y.width() / patches[c].x.width(), "x", "y");
   if (std::ranges::any_of(patches, [](const Patch& p) { return !p.values.isFinite().all(); }))
     show_missing(out);
-  return out;
+  const Layout layout = layout_of(out, request);
+  for (std::size_t c = 0; c < patches.size(); ++c) {
+    const Patch& p = patches[c];
+    const Blocks blocks = blocks_of(p, layout, request);
+    if (!blocks.single())
+      add_note(out, c,
+               fmt::format("{} of {} × {} points", shows == Shows::means ? "means" : "largest",
+                           blocks.along_x, blocks.along_y));
+    const Unit length = unit_for(reach(p), "m");
+    const Patch drawn{pixels_of(p.values, blocks, shows) / unit, p.x, p.y};
+    out.panels[c].layers = {raster(drawn.values, lattice_of(drawn, length, length), "with image")};
+  }
 }
 
 // One row or column of points each, along the same side.
@@ -69,10 +123,11 @@ Figure map(const Cases& cases, const Request& request) {
   for (Patch& p : patches) p.values -= level.value;
   colours.range = {colours.range.low - level.value, colours.range.high - level.value};
   const Unit value = unit_for(colours.range.magnitude(), quantity.unit);
-  Figure out = plan_view(cases, patches, value.factor, request);
+  Figure out = side_by_side(request, cases);
   if (!out.comparison) out.title = range_in_words(patches[0], quantity, level);
   out.right = 7.6;
-  out.colours = {colours, value, quantity.name + level.words()};
+  out.colours = {colours, value, quantity.name + level.words() + colours.words};
+  add_plan_views(out, patches, value.factor, request, Shows::means);
   return out;
 }
 
@@ -84,11 +139,10 @@ Figure contact(const Cases& cases, const Request& request) {
       throw DataError(variable,
                       fmt::format("contact state {} is none of 0 (open), 1 (elastic), 2 (at the limit)",
                                   r.low < 0 ? r.low : r.high));
-  Figure out = plan_view(cases, patches, 1, request);
+  Figure out = side_by_side(request, cases);
   if (!out.comparison) out.title = shares_in_words(patches[0].values);
-  std::vector<LegendEntry> legend;
-  for (const auto& state : states) legend.push_back({LegendEntry::Key::box, state.colour, state.name});
-  out.legend.insert(out.legend.begin(), legend.begin(), legend.end());
+  for (const auto& state : states) out.legend.push_back({LegendEntry::Key::box, state.colour, state.name});
+  add_plan_views(out, patches, 1, request, Shows::largest);
   out.commands.line("set palette maxcolors 3 defined (0 '{}', 1 '{}', 2 '{}')", states[0].colour,
                     states[1].colour, states[2].colour);
   out.commands.line("set cbrange [-0.5:2.5]");

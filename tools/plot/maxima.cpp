@@ -6,9 +6,8 @@
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
-#include "stats/measure/parameter.hpp"
-#include "tools/cli/readable.hpp"
-#include "tools/plot/source.hpp"
+#include "tools/plot/measured.hpp"
+#include "tools/plot/series.hpp"
 #include "tools/plot/table.hpp"
 
 namespace asperity::plot {
@@ -37,7 +36,7 @@ Maxima of_table(const Dataset& table) {
   const Variable& value = table.variables[1];
   const Eigen::ArrayXd depth = column(table, "depth");
   Maxima out{value.name, Field(depth.size(), 3), quantity_of(value)};
-  out.curve << depth, column(table, value.name), half_width_95 * column(table, "standard_error");
+  out.curve << depth, column(table, value.name), half_intervals(table, "standard_error");
   return out;
 }
 
@@ -84,30 +83,16 @@ Maxima maxima_of(const Case& c, const Request& request) {
   return out;
 }
 
-void add_layers(std::vector<Layer>& out, const Maxima& m, std::size_t colour, const Unit& depth,
-                const Unit& value) {
-  const std::string own = fmt::format("linecolor rgb '{}'", line_colour(colour));
-  const Eigen::ArrayXd z = m.curve.col(0) / depth.factor, v = m.curve.col(1) / value.factor,
-                       half = m.curve.col(2) / value.factor;
-  if (half.isFinite().all()) {
-    Field band(z.size(), 3);
-    band << z, v - half, v + half;
-    out.push_back(
-        points(band, fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.2",
-                                 line_colour(colour))));
-  }
-  Field line(z.size(), 2);
-  line << z, v;
-  out.push_back(points(line, "with lines linewidth 1.4 " + own));
-  out.push_back(points(line, "with points pointtype 7 pointsize 0.3*dot " + own));
+void add_curves(Series to, Series::Column z, const Maxima& m, std::size_t colour) {
+  const Series::Column v = m.curve.col(1), half = m.curve.col(2);
+  to.band(z, v - half, v + half, line_colour(colour));
+  to.line(z, v, line_colour(colour));
+  to.dots(z, v, line_colour(colour));
   if (std::isnan(m.top.value)) return;
-  const auto length = [](double error, const Unit& unit) { return error > 0 ? error / unit.factor : 0; };
-  const double at = m.top.depth / depth.factor, top = m.top.value / value.factor,
-               dz = length(m.top.depth_error, depth), dv = length(m.top.value_error, value);
-  out.push_back(points(Field{{at - dz, top, 2 * dz, 0}, {at, top - dv, 0, 2 * dv}},
-                       "with vectors nohead linewidth 1.1 linecolor rgb 'black'"));
-  out.push_back(points(Field{{at, top}},
-                       "with points pointtype 2 pointsize 0.7*dot linewidth 1.6 linecolor rgb 'black'"));
+  const Series::Column depth{{m.top.depth}}, top{{m.top.value}};
+  to.bars(depth, top, Series::Column{{std::fmax(m.top.depth_error, 0)}}, "black", true);
+  to.bars(depth, top, Series::Column{{std::fmax(m.top.value_error, 0)}}, "black");
+  to.add(depth, top, "with points pointtype 2 pointsize 0.7*dot linewidth 1.6 linecolor rgb 'black'");
 }
 
 // On one axis.
@@ -126,8 +111,7 @@ std::string title_of(const Maxima& m) {
   if (std::isnan(m.top.value))
     return m.curve.col(2).isFinite().all() ? "mean over surfaces, 95 % intervals" : "";
   const auto words = [](double value, double error, const std::string& unit) {
-    const cli::Measurement of = cli::readable(Parameter{"", value, unit.empty() ? "1" : unit, error, ""});
-    return of.value + (of.error.empty() ? "" : " ± " + of.error) + (of.unit.empty() ? "" : " " + of.unit);
+    return in_words(Parameter{"", value, unit.empty() ? "1" : unit, error, ""});
   };
   const std::string where = m.top.depth == 0 ? "the surface" : words(m.top.depth, m.top.depth_error, "m");
   return fmt::format("{} at {} (×)", words(m.top.value, m.top.value_error, m.quantity.unit), where);
@@ -154,21 +138,20 @@ Figure maxima(const Cases& cases, const Request& request) {
   const Unit depth = unit_for(depths.high, "m"), value = unit_for(values.magnitude(), quantity.unit);
   Figure out{.columns = 1};
   Panel panel;
+  const double least = all[0].accurate;
+  const bool inaccurate = depths.contains(least) && least > depths.low;
+  if (inaccurate)
+    Series(panel, depth.factor, value.factor)
+        .line(Series::Column{{least, least}}, Series::Column{{0, values.high}}, "#707070", 1.1, "(8,5)");
   panel.x = axis_of(depths, depth, "depth z");
   const char* bar = std::ranges::any_of(all, &Maxima::of_magnitude) ? "|" : "";
   panel.y = axis_of(values, value, fmt::format("largest {0}{1}{0}", bar, quantity.name));
   using enum LegendEntry::Key;
   for (std::size_t c = 0; c < all.size(); ++c) {
-    add_layers(panel.layers, all[c], c, depth, value);
+    add_curves({panel, depth.factor, value.factor}, all[c].curve.col(0), all[c], c);
     if (all.size() > 1) out.legend.push_back({line, line_colour(c), cases[c].label});
   }
-  if (const double least = all[0].accurate; depths.contains(least) && least > depths.low) {
-    panel.layers.insert(
-        panel.layers.begin(),
-        points(Field{{least / depth.factor, 0}, {least / depth.factor, values.high / value.factor}},
-               "with lines linewidth 1.1 dashtype (8,5) linecolor rgb '#707070'"));
-    out.legend.push_back({dashes, "#707070", "accurate from here down"});
-  }
+  if (inaccurate) out.legend.push_back({dashes, "#707070", "accurate from here down"});
   if (all.size() == 1) out.title = title_of(all[0]);
   out.panels = {panel};
   return out;

@@ -1,7 +1,10 @@
 #include "tools/plot/measured.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
+#include "tools/cli/readable.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/measure/height_tables.hpp"
 
@@ -22,9 +25,17 @@ Sample measured_whole(const Case& c, const std::string& variable) {
   return measured(c, variable);
 }
 
-Layer in_units(Field table, double unit, const char* style) {
-  table.rightCols(table.cols() - 1) /= unit;
-  return points(table, style);
+std::string in_words(const Parameter& parameter) {
+  const cli::Measurement of = cli::readable(parameter);
+  return of.value + (of.error.empty() ? "" : " ± " + of.error) + (of.unit.empty() ? "" : " " + of.unit);
+}
+
+std::string in_words(const Parameters& all, std::initializer_list<const char*> symbols) {
+  std::string out;
+  for (const char* symbol : symbols)
+    if (const auto row = std::ranges::find(all, symbol, &Parameter::name); row != all.end())
+      out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", symbol, in_words(*row));
+  return out;
 }
 
 std::string above_mean(const Quantity& quantity) { return quantity.name + " above the mean"; }

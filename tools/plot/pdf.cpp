@@ -5,9 +5,9 @@
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
 #include "stats/height/distribution.hpp"
-#include "stats/measure/sample.hpp"
 #include "tools/measure/height_tables.hpp"
-#include "tools/plot/source.hpp"
+#include "tools/plot/measured.hpp"
+#include "tools/plot/series.hpp"
 
 namespace asperity::plot {
 namespace {
@@ -96,34 +96,28 @@ Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity)
   return {height, per, x, 1.05 * peak * per.factor};
 }
 
-std::vector<Layer> layers_of(const Distribution& d, const Scales& scales) {
-  const double f = scales.height.factor, per = scales.per.factor;
-  const auto bins = static_cast<Index>(d.bins.size());
+// Intervals are boxes too, which let the histogram and the Gaussian show.
+void add_curves(Panel& panel, const Distribution& d, const Scales& scales) {
   constexpr int samples = 400;
-  Field boxes(bins, 3), errors(bins, 4), normal(samples + 1, 2);
+  const double height = scales.height.factor, per = scales.per.factor;
+  Field bars(std::ssize(d.bins), 3), ranges(std::ssize(d.bins), 6);
   for (Index k = 0; const Bin& b : d.bins) {
-    const double centre = b.centre() / f;
-    boxes.row(k) << centre, d.density(b.count, b) * per, b.width() / f;
     const auto [low, high] = d.ends(b);
-    errors.row(k++) << centre, d.density(low, b) * per, 0, d.density(high - low, b) * per;
+    bars.row(k) << b.centre() / height, d.density(b.count, b) * per, b.width() / height;
+    ranges.row(k++) << b.centre() / height, d.density(b.count, b) * per, b.lower / height, b.upper / height,
+        d.density(low, b) * per, d.density(high, b) * per;
   }
-  for (int k = 0; k <= samples; ++k) {
-    const double at = scales.x.low + k * scales.x.width() / samples;
-    normal.row(k) << at / f, gaussian(d.moments, at) * per;
-  }
-  std::vector<Layer> out{
-      points(boxes,
+  panel.layers = {
+      points(bars,
              "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb "
-             "'#b9d3e8'")};
-  if (d.part.empty()) out.push_back(points(normal, "with lines linewidth 1.6 linecolor rgb '#d55e00'"));
-  out.push_back(points(errors, "with vectors nohead linewidth 0.9 linecolor rgb '#10456b'"));
-  return out;
-}
-
-std::string title_of(const Moments& m, const Quantity& quantity) {
-  const Unit unit = unit_for(m.sq, quantity.unit);
-  return fmt::format("Sq = {} {}, Ssk = {}, Sku = {}", brief(m.sq / unit.factor), unit.name, brief(m.ssk),
-                     brief(m.sku));
+             "'#b9d3e8'"),
+      points(ranges,
+             "with boxxyerror fillstyle transparent solid 0.3 noborder fillcolor rgb "
+             "'#10456b'")};
+  const Series::Column z = Series::Column::LinSpaced(samples + 1, scales.x.low, scales.x.high);
+  if (d.part.empty())
+    Series(panel, height, 1 / per)
+        .line(z, z.unaryExpr([&](double at) { return gaussian(d.moments, at); }), "#d55e00", 1.6);
 }
 
 }  // namespace
@@ -140,13 +134,17 @@ Figure pdf(const Cases& cases, const Request& request) {
   using enum LegendEntry::Key;
   Figure out = side_by_side(request, cases);
   const bool part = !all[0].part.empty();
-  if (!out.comparison) out.title = part ? all[0].part : title_of(all[0].moments, quantity);
-  out.legend = {{box, "#b9d3e8", with_errors ? "histogram, 95 % intervals" : "histogram"}};
+  if (!out.comparison)
+    out.title =
+        part ? all[0].part
+             : in_words(measure(measured(cases[0], variable), Group::height, {}), {"Sq", "Ssk", "Sku"});
+  out.legend = {{box, "#b9d3e8", "histogram"}};
+  if (with_errors) out.legend.push_back({box, "#86a8c3", "95 % intervals"});
   if (!part) out.legend.push_back({line, "#d55e00", "Gaussian"});
   for (std::size_t c = 0; c < cases.size(); ++c) {
     out.panels[c].x = axis_of(scales.x, scales.height, quantity.name);
     out.panels[c].y = {{0, scales.top}, per.empty() ? "density" : "density [1/" + per + "]"};
-    out.panels[c].layers = layers_of(all[c], scales);
+    add_curves(out.panels[c], all[c], scales);
     if (!all[c].note.empty())
       out.notes.push_back((out.comparison ? cases[c].label + ": " : "") + all[c].note);
   }

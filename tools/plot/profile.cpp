@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
+#include "tools/plot/series.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -72,10 +73,8 @@ Panel panel_of(const Row& row, const Unit& length, const Axis& values, double un
   out.x = axis_of(row.range(0), length, row.section.along());
   out.x->label += " at " + row.section.label();
   out.y = values;
-  const Eigen::Array<double, 1, 2> units(length.factor, unit);
   for (std::size_t c = 0; c < row.traces.size(); ++c)
-    out.layers.push_back(points(row.traces[c].rowwise() / units,
-                                fmt::format("with lines linewidth 1.4 linecolor rgb '{}'", line_colour(c))));
+    Series(out, length.factor, unit).line(row.traces[c].col(0), row.traces[c].col(1), line_colour(c));
   return out;
 }
 

@@ -6,7 +6,7 @@
 #include "stats/measure/spectra.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/plot/measured.hpp"
-#include "tools/plot/source.hpp"
+#include "tools/plot/series.hpp"
 
 namespace asperity::plot {
 namespace {
@@ -83,49 +83,30 @@ Extent extent_of(const Plane& plane) {
 
 // ---- layers ----
 
-// The runs of points whose errors are known, or are not.
-std::vector<Spectrum> runs(const Spectrum& points, bool of_known) {
-  std::vector<Spectrum> out;
-  bool within = false;
-  for (const SpectrumPoint& p : points) {
-    if (known(p) != of_known) {
-      within = false;
-    } else {
-      if (!within) out.emplace_back();
-      within = true;
-      out.back().push_back(p);
-    }
-  }
+using Flags = Eigen::Array<bool, Eigen::Dynamic, 1>;
+Flags known_of(const Trace& t) {
+  return column_of(t.points, [](const SpectrumPoint& p) { return known(p) ? 1.0 : 0.0; }) > 0;
+}
+// Of which neither neighbour has an error: dots, for no line and no band joins them.
+Flags alone(const Flags& known) {
+  Flags out = known;
+  for (Index k = 0; k + 1 < known.size(); ++k)
+    if (known(k) && known(k + 1)) out(k) = out(k + 1) = false;
   return out;
 }
 
-void add_layers(std::vector<Layer>& out, const Trace& t, const Unit& x, const Unit& y) {
-  const char* colour = line_colour(t.colour);
-  for (const Spectrum& run : runs(t.points, true)) {
-    Field band(static_cast<Index>(run.size()), 3);
-    for (Index k = 0; const SpectrumPoint& p : run) {
-      const Interval ends = p.interval();
-      band.row(k++) << p.wave_number / x.factor, ends.low / y.factor, ends.high / y.factor;
-    }
-    if (run.size() > 1)
-      out.push_back(points(
-          band, fmt::format("with filledcurves fillcolor rgb '{}' fillstyle transparent solid 0.2", colour)));
-    Field curve(band.rows(), 2);
-    for (Index k = 0; const SpectrumPoint& p : run)
-      curve.row(k++) << p.wave_number / x.factor, p.density / y.factor;
-    out.push_back(
-        points(curve, fmt::format("with {} linewidth 1.5 {}linecolor rgb '{}'{}",
-                                  run.size() > 1 ? "lines" : "points", t.dashed ? "dashtype (8,5) " : "",
-                                  colour, run.size() > 1 ? "" : " pointtype 7 pointsize 0.3*dot")));
-  }
-  for (const Spectrum& run : runs(t.points, false)) {
-    Field at(static_cast<Index>(run.size()), 2);
-    for (Index k = 0; const SpectrumPoint& p : run)
-      at.row(k++) << p.wave_number / x.factor, p.density / y.factor;
-    out.push_back(points(
-        at,
-        fmt::format("with points pointtype 6 pointsize 0.3*dot linewidth 0.8 linecolor rgb '{}'", colour)));
-  }
+void add_curves(Series to, const Trace& t) {
+  const std::string colour = line_colour(t.colour);
+  const Flags with = known_of(t), single = alone(with);
+  const Series::Column x = column_of(t.points, [](const SpectrumPoint&p) { return p.wave_number; }),
+                       y = column_of(t.points, [](const SpectrumPoint&p) { return p.density; }),
+                       low = column_of(t.points, [](const SpectrumPoint&p) { return p.interval().low; }),
+                       high = column_of(t.points, [](const SpectrumPoint&p) { return p.interval().high; });
+  to.band(x, where(with, low), high, colour);
+  to.line(x, where(with, y), colour, 1.5, t.dashed ? "(8,5)" : "");
+  to.bars(x, 0.5 * (low + high), where(single, 0.5 * (high - low)), colour);
+  to.dots(x, where(single, y), colour);
+  to.circles(x, where(!with, y), colour);
 }
 
 Panel panel_of(const Plane& plane) {
@@ -137,7 +118,7 @@ Panel panel_of(const Plane& plane) {
   out.x = axis_of(extent.x, x, "wave number");
   out.y = axis_of(extent.y, y, plane.quantity);
   out.x->logarithmic = out.y->logarithmic = true;
-  for (const Trace& t : plane.traces) add_layers(out.layers, t, x, y);
+  for (const Trace& t : plane.traces) add_curves({out, x.factor, y.factor}, t);
   return out;
 }
 
@@ -160,8 +141,12 @@ std::vector<LegendEntry> legend_of(const std::vector<Plane>& planes, const Cases
                                : "rings"});
     if (drawn(1)) out.push_back({line, line_colour(1), "along y"});
   }
-  const auto without = [](const Trace& t) { return !std::ranges::all_of(t.points, known); };
-  if (std::ranges::any_of(planes, [&](const Plane& p) { return std::ranges::any_of(p.traces, without); }))
+  const auto some = [&](auto of) {
+    return std::ranges::any_of(planes, [&](const Plane& p) { return std::ranges::any_of(p.traces, of); });
+  };
+  if (some([](const Trace& t) { return alone(known_of(t)).any(); }))
+    out.push_back({dot, unsure, "error known"});
+  if (some([](const Trace& t) { return !known_of(t).all(); }))
     out.push_back({circle, unsure, "no error known"});
   return out;
 }

@@ -55,6 +55,7 @@ const std::vector<std::string>& control_colours(Palette palette);
 struct Colours {
   Range range{0, 1};  ///< in SI
   Palette palette = Palette::sequential;
+  std::string words = {};  ///< of a range that does not hold all values: ", 0.5 to 99.5 %"
 };
 /// From the least value to the largest, from zero upwards if the least is near, or evenly about zero.
 Colours sequential(Range values);

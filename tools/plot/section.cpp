@@ -129,6 +129,10 @@ struct Cuts {
   Range range;  ///< of the values
   Colours colours;
   std::string above;  ///< below it values are hidden; empty: none are
+
+  bool at_one_place() const {
+    return std::ranges::all_of(sections, [&](const Section& s) { return s.label() == sections[0].label(); });
+  }
 };
 
 void scale_by_hertz(Cuts& cuts, const Cases& cases) {
@@ -180,18 +184,17 @@ Cuts cuts_of(const Cases& cases, const Request& request) {
   cuts.range = range_of(cuts.patches);
   cuts.colours = colours_of(cuts.range, cuts.quantity);
   if (request.above.given()) hide_below(cuts, cases, request);
-  cuts.colours.range = value_range(request, cuts.quantity.unit, cuts.range, cuts.colours.range);
+  limit(cuts.colours, cuts.patches, cuts.quantity, request);
   return cuts;
 }
 
 // Short where much is to be said.
 std::string default_title(const Cuts& cuts, const Unit& value) {
-  std::string out = "section " + cuts.sections[0].label();
-  for (const Section& s : cuts.sections)
-    if (s.label() != cuts.sections[0].label()) out = "section at the maximum";
+  std::string out = cuts.at_one_place() ? "section " + cuts.sections[0].label() : "";
   const double largest = cuts.marks[0].value;
   const bool marked = cuts.marks.size() == 1 && largest != 0;
-  if (!cuts.above.empty()) out = (marked ? cuts.sections[0].label() : out) + ", above " + cuts.above;
+  if (!cuts.above.empty())
+    out = (marked ? cuts.sections[0].label() : out) + (out.empty() ? "above " : ", above ") + cuts.above;
   if (!marked) return out;
   return out + fmt::format(", {}{}{}{} at +", cuts.above.empty() ? "largest " : "",
                            brief(largest / value.factor), value.name.empty() ? "" : " ", value.name);
@@ -221,12 +224,13 @@ Figure section(const Cases& cases, const Request& request) {
              depth = stretch == 1 ? along : unit_for(first.y.magnitude(), "m"),
              value = unit_for(cuts.colours.range.magnitude(), cuts.quantity.unit);
   out.title = default_title(cuts, value);
-  out.colours = {cuts.colours, value, cuts.quantity.name};
+  out.colours = {cuts.colours, value, cuts.quantity.name + cuts.colours.words};
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.patches[c];
     out.panels[c].x = axis_of(p.x, along, cuts.sections[c].along());
     out.panels[c].y = axis_of(p.y, depth, "depth z");
     out.panels[c].y->downwards = true;
+    if (!cuts.at_one_place()) out.panels[c].label += ", " + cuts.sections[c].label();
   }
   for (std::size_t c = 0; c < cases.size(); ++c)
     tell_stretch(out, c, cuts.patches[c].y.width() / cuts.patches[c].x.width(), cuts.sections[c].along(),

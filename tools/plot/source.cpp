@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/words.hpp"
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
@@ -15,7 +16,8 @@
 namespace asperity::plot {
 namespace {
 
-constexpr double least_spread = 1e-3;  // of the level
+constexpr double least_spread = 1e-3;             // of the level
+constexpr double tail = 0.5, squeezed = 1.0 / 8;  // [%] of the outliers at either end; of the range of all
 
 // The cells with centres in a range, and the outer edges of their area.
 struct Span {
@@ -32,6 +34,35 @@ Span cells_within(Range range, Index n, double spacing, Position position, const
                                              cli::format_quantity(position(0), "m"),
                                              cli::format_quantity(position(n - 1), "m")));
   return {first, last - first + 1, {position(first) - 0.5 * spacing, position(last) + 0.5 * spacing}};
+}
+
+// "1%:99%"; {0, 0} of other texts. Throws ParameterError for shares that are none.
+Range shares_in(const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == text.npos) return {0, 0};
+  auto share = [](std::string_view word) {
+    if (!word.ends_with('%')) return unlimited;
+    return to_number<double>(word.substr(0, word.size() - 1)).value_or(unlimited);
+  };
+  const Range out{share(std::string_view(text).substr(0, colon)), share(text.substr(colon + 1))};
+  if (!(0 <= out.low && out.low < out.high && out.high <= 100))
+    cli::refuse("range", text, "is no pair of rising shares from 0 to 100 %, such as 1%:99%");
+  return out;
+}
+
+// The values between which these shares lie [%].
+Range between_shares(const std::vector<Patch>& patches, Range part) {
+  std::vector<double> all;
+  for (const Patch& p : patches)
+    std::ranges::copy_if(p.values.reshaped(), std::back_inserter(all),
+                         [](double v) { return std::isfinite(v); });
+  auto value_at = [&](double percent) {
+    const auto rank = std::lround(0.01 * percent * static_cast<double>(all.size() - 1));
+    std::ranges::nth_element(all, all.begin() + rank);
+    return all[static_cast<std::size_t>(rank)];
+  };
+  const double low = value_at(part.low);
+  return {low, value_at(part.high)};
 }
 
 // To three digits, as it can be typed.
@@ -149,6 +180,23 @@ Section section_of(const Dataset& data, const std::string& text) {
   return {along_x, along_x ? grid.y(index) : grid.x(index), index};
 }
 
+std::string section_of_all(const Cases& cases, const std::string& section) {
+  const std::string_view of_all = "=max-of-all";
+  if (!section.ends_with(of_all)) return section;
+  const std::string axis = section.substr(0, section.size() - of_all.size());
+  double largest = -unlimited;
+  std::string out;
+  for (const Case& c : cases) {
+    const double value = c.data.attributes.number("stress_max_von_mises", NAN),
+                 place = c.data.attributes.number("stress_max_" + axis, NAN);
+    if (!std::isfinite(value + place))
+      throw DataError("stress_max_" + axis,
+                      "is missing in " + c.label + ": asperity-stress --maximum adds it");
+    if (value > largest) largest = value, out = fmt::format("{}={}m", axis, place);
+  }
+  return out;
+}
+
 double hertz_pressure(const Dataset& data) {
   const double p0 = data.attributes.number("contact_hertz_pressure", -1);
   if (!(p0 > 0))
@@ -158,6 +206,8 @@ double hertz_pressure(const Dataset& data) {
 
 Range value_range(const Request& request, const std::string& unit, Range present, Range otherwise) {
   if (request.range.empty()) return otherwise;
+  if (shares_in(request.range).width() > 0)
+    cli::refuse("range", request.range, "is of colours, which this kind has not: give LOW,HIGH with unit");
   const auto [low, high] = cli::parse_quantities("range", request.range, unit);
   if (!(low < high)) cli::refuse("range", request.range, "must have its lower bound first");
   if (!(drawable({low, high}) == Range{low, high}))
@@ -190,10 +240,25 @@ Colours colours_of(Range values, const Quantity& quantity) {
   return {};
 }
 
+void limit(Colours& colours, const std::vector<Patch>& patches, const Quantity& quantity,
+           const Request& request) {
+  const Range present = range_of(patches), asked = shares_in(request.range);
+  const bool by_value = asked.width() == 0 && (!request.range.empty() || quantity.zero != Zero::chosen);
+  if (by_value) {
+    colours.range = value_range(request, quantity.unit, present, colours.range);
+    return;
+  }
+  const Range shares_shown = asked.width() > 0 ? asked : Range{tail, 100 - tail},
+              most = between_shares(patches, shares_shown);
+  const bool squeezes = most.width() > 0 && most.width() < squeezed * present.width();
+  if (!squeezes && asked.width() == 0) return;
+  colours.range = drawable(most);
+  colours.words = fmt::format(", {:.6g} to {:.6g} %", shares_shown.low, shares_shown.high);
+}
+
 Colours field_colours(const std::vector<Patch>& patches, const Quantity& quantity, const Request& request) {
-  const Range present = range_of(patches);
-  Colours out = colours_of(present, quantity);
-  out.range = value_range(request, quantity.unit, present, out.range);
+  Colours out = colours_of(range_of(patches), quantity);
+  limit(out, patches, quantity, request);
   return out;
 }
 

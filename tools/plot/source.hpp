@@ -76,6 +76,16 @@ double hertz_pressure(const Dataset& data);
 /// of the values from `present.low` to `present.high`.
 Range value_range(const Request& request, const std::string& unit, Range present, Range otherwise);
 
+/// Limits colours to the range requested: of values, or from "1%:99%" of those shares of them. Without a
+/// request they are limited to the shares from 0.5 to 99.5 % where these take less than an eighth of the
+/// range of heights: outliers would leave a few colours to all others.
+void limit(Colours& colours, const std::vector<Patch>& patches, const Quantity& quantity,
+           const Request& request);
+
+/// The request's section in all cases alike: "y=max-of-all" becomes the place of the largest von Mises stress
+/// of all, others stay. Throws DataError where a case does not give its largest stress.
+std::string section_of_all(const Cases& cases, const std::string& section);
+
 /// The part of `present` that is asked for, of depths and positions; throws ParameterError(option, …) where
 /// there is none.
 Range part_of(Range present, Range asked, const char* option);

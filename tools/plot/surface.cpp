@@ -100,7 +100,8 @@ Relief relief_of(const Cases& cases, const Request& request) {
   const Quantity quantity = quantity_of(cases, variable);
   Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
   for (const Patch& p : out.patches) out.stride = std::max(out.stride, stride_of(variable, p.values));
-  out.values = value_range(request, out.quantity.unit, range_of(out.patches), range_of(out.patches));
+  out.values = request.range.empty() ? range_of(out.patches)
+                                     : field_colours(out.patches, quantity, request).range;
   out.level = level_of(out.patches, out.values, quantity);
   out.values = {out.values.low - out.level.value, out.values.high - out.level.value};
   for (Patch& p : out.patches) {
@@ -228,6 +229,7 @@ Figure surface(const Cases& cases, const Request& request) {
   Figure out = side_by_side(request, cases);
   out.title = relief.quantity.name;
   if (relief.quantity.unit == "m") out.title += fmt::format(" × {:.6g}", relief.factor);
+  out.title += colours.words;
   if (relief.stride > 1) out.title += fmt::format(", every {} point", ordinal(relief.stride));
   out.in_space = true;
   out.aspect = 0.72;

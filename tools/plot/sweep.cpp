@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "dataset/units.hpp"
-#include "stats/measure/parameter.hpp"
+#include "tools/plot/series.hpp"
 #include "tools/plot/source.hpp"
 #include "tools/plot/table.hpp"
 
@@ -21,7 +21,7 @@ struct Errors {
 
 Errors errors_of(const Dataset& table, const std::string& name) {
   const std::string spread = name + "_standard_error";
-  if (table.has(spread)) return {half_width_95 * column(table, spread), "95 % intervals of the mean"};
+  if (table.has(spread)) return {half_intervals(table, spread), "95 % intervals of the mean"};
   return {column(table, name + "_error"), "error of the grid"};
 }
 
@@ -71,34 +71,12 @@ Axis axis_of_growth(Range range, double least, bool logarithmic, const Unit& uni
   return out;
 }
 
-struct SweepCurve {
-  Eigen::ArrayXd x, y, half;
-  bool across = false;  ///< the error is that of x
-};
-
-void add_layers(std::vector<Layer>& out, const SweepCurve& c, const Sweep& of, std::size_t colour,
-                const Unit& x, const Unit& y) {
-  Field line(c.x.size(), 2), open(c.x.size(), 2);
-  line << c.x / x.factor, c.y / y.factor;
-  const std::string own = fmt::format("linecolor rgb '{}'", line_colour(colour));
-  out.push_back(points(line, "with lines linewidth 1.4 " + own));
-  if ((c.half > 0).any()) {
-    Field bars(c.x.size(), 4);
-    const Eigen::ArrayXd half = c.half.isFinite().select(c.half, 0.0),
-                         zero = Eigen::ArrayXd::Zero(half.size());
-    if (c.across)
-      bars << (c.x - half) / x.factor, c.y / y.factor, 2 * half / x.factor, zero;
-    else
-      bars << c.x / x.factor, (c.y - half) / y.factor, zero, 2 * half / y.factor;
-    out.push_back(points(bars, "with vectors nohead linewidth 0.9 " + own));
-  }
-  out.push_back(points(line, "with points pointtype 7 pointsize 0.4*dot " + own));
-  Index hollow = 0;
-  for (Index k = 0; k < line.rows(); ++k)
-    if (!of.converged(k)) open.row(hollow++) = line.row(k);
-  if (hollow > 0)
-    out.push_back(
-        points(open.topRows(hollow), "with points pointtype 7 pointsize 0.22*dot linecolor rgb 'white'"));
+void add_curve(Series to, const Sweep& of, const Series::Column& x, const Series::Column& y,
+               const Series::Column& half, std::size_t colour, bool across) {
+  to.line(x, y, line_colour(colour));
+  to.bars(x, y, where(half > 0, half), line_colour(colour), across);
+  to.dots(x, y, line_colour(colour), 0.4);
+  to.dots(x, where(!of.converged, y), "white", 0.22);
 }
 
 }  // namespace
@@ -131,8 +109,8 @@ Figure sweep(const Cases& cases, const Request&) {
   const bool one_kind = std::ranges::all_of(all, [&](const Sweep& s) { return s.words() == all[0].words(); });
   for (std::size_t c = 0; c < all.size(); ++c) {
     const Sweep& s = all[c];
-    add_layers(press.layers, {s.approach, s.load, s.of_approach.half, true}, s, c, metres, newtons);
-    add_layers(grow.layers, {s.load, s.area, s.of_area.half}, s, c, newtons, squares);
+    add_curve({press, metres.factor, newtons.factor}, s, s.approach, s.load, s.of_approach.half, c, true);
+    add_curve({grow, newtons.factor, squares.factor}, s, s.load, s.area, s.of_area.half, c, false);
     const std::string errors = s.words(), own = one_kind || errors.empty() ? "" : ", " + errors;
     if (all.size() > 1) out.legend.push_back({line, line_colour(c), cases[c].label + own});
   }

@@ -7,6 +7,8 @@
 #include "core/words.hpp"
 #include "dataset/units.hpp"
 #include "formats/text_numbers.hpp"
+#include "stats/measure/parameter.hpp"
+#include "stats/sample/quantiles.hpp"
 #include "tools/cli/plain_text.hpp"
 
 namespace asperity::plot {
@@ -66,6 +68,13 @@ Eigen::ArrayXd column(const Dataset& table, std::string_view name) {
   const std::vector<double> values = numbers(v->values);
   const double factor = factor_to(si_unit_of(*v), *v);
   return factor * Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values));
+}
+
+Eigen::ArrayXd half_intervals(const Dataset& table, std::string_view error) {
+  const Eigen::ArrayXd surfaces = column(table, "surfaces");
+  return column(table, error) * surfaces.unaryExpr([&](double n) {
+    return table.has("surfaces") ? student_quantile(0.025, n - 1) : half_width_95;
+  });
 }
 
 }  // namespace asperity::plot

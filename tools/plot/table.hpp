@@ -18,5 +18,8 @@ Dataset dataset_of_table(std::string_view text);
 bool is_table(const Dataset& data);
 /// A column in SI, in place of which NaN stands where the table has none of this name.
 Eigen::ArrayXd column(const Dataset& table, std::string_view name);
+/// Half the 95 % intervals of means over the column "surfaces", with Student's t; NaN of a single one.
+/// `error` names the column of standard errors. Without such a column the errors count as known exactly.
+Eigen::ArrayXd half_intervals(const Dataset& table, std::string_view error);
 
 }  // namespace asperity::plot

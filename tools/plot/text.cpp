@@ -63,10 +63,11 @@ std::vector<std::string> broken(const std::string& text, double most, std::size_
   std::vector<std::string> out;
   std::string rest = one_line(text);
   while (!rest.empty()) {
+    const auto after_comma = [&](std::size_t place) { return place > 0 && rest[place - 1] == ','; };
     std::size_t cut = 0;  // the last blank up to which the rest fits
     for (auto at = rest.find(' '); at != rest.npos && length_of(rest.substr(0, at)) <= most;
          at = rest.find(' ', at + 1))
-      cut = at;
+      if (rest[at - 1] == ',' || !(after_comma(cut) && 2 * length_of(rest.substr(0, cut)) >= most)) cut = at;
     if (length_of(rest) <= most || cut == 0 || out.size() + 1 >= lines) {
       out.push_back(shortened(rest, most));
       break;

@@ -20,7 +20,8 @@ double length_of(std::string_view text);
 /// A line of at most this length [em]: of a longer text an ellipsis replaces the middle, for names differ at
 /// their ends, and labels end with their unit.
 std::string shortened(const std::string& text, double most);
-/// Lines of at most this length, broken at blanks; the last of `lines` takes what is left, shortened.
+/// Lines of at most this length, broken at blanks, after a comma in their second half if there is one; the
+/// last of `lines` takes what is left, shortened.
 std::vector<std::string> broken(const std::string& text, double most, std::size_t lines);
 
 }  // namespace asperity::plot
