@@ -31,26 +31,16 @@ Blocks blocks_of(const Patch& p, const Layout& layout, const Request& request) {
 
 // A value for each block from those of its points that are not missing; where the side is no multiple, some
 // blocks are a point shorter.
-template <class Value>
-Field in_blocks(const Field& all, Blocks of, Value value) {
+enum class Shows { means, largest };
+Field pixels_of(const Field& all, Blocks of, Shows shows) {
   const Index nx = (all.rows() + of.along_x - 1) / of.along_x,
               ny = (all.cols() + of.along_y - 1) / of.along_y;
   return Field::NullaryExpr(nx, ny, [&](Index i, Index j) {
     const Index x = i * all.rows() / nx, y = j * all.cols() / ny;
     const auto block = all.block(x, y, (i + 1) * all.rows() / nx - x, (j + 1) * all.cols() / ny - y);
     const auto there = block.isFinite();
-    return there.any() ? value(block, there) : std::numeric_limits<double>::quiet_NaN();
-  });
-}
-
-enum class Shows { means, largest };
-Field pixels_of(const Field& all, Blocks of, Shows shows) {
-  if (of.single()) return all;
-  if (shows == Shows::largest)
-    return in_blocks(all, of, [](const auto& block, const auto& there) {
-      return there.select(block, -unlimited).maxCoeff();
-    });
-  return in_blocks(all, of, [](const auto& block, const auto& there) {
+    if (!there.any()) return std::numeric_limits<double>::quiet_NaN();
+    if (shows == Shows::largest) return there.select(block, -unlimited).maxCoeff();
     return there.select(block, 0).sum() / static_cast<double>(there.count());
   });
 }

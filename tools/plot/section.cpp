@@ -6,7 +6,6 @@
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
 #include "tools/cli/quantity.hpp"
-#include "tools/plot/isolines.hpp"
 #include "tools/plot/layout.hpp"
 #include "tools/plot/source.hpp"
 
@@ -210,6 +209,26 @@ void add_mark(Panel& panel, const Mark& mark, const Unit& along, const Unit& dep
     panel.layers.push_back(points(at, std::string("with points ") + style));
 }
 
+// By gnuplot's contours of the same cells, with straight lines between their centres, at the multiples of a
+// step that lie within the range of the values: found before the panel is drawn.
+void add_isolines(Panel& panel, const Field& cells, const Lattice& at, double step) {
+  const Range values = range_of(cells);
+  if (!(drawable(values) == values)) return;  // round-off of a constant
+  std::string levels;
+  for (const double v : multiples(values, step))
+    if (values.low < v && v < values.high) levels += fmt::format("{}{}", levels.empty() ? "" : ",", v);
+  if (levels.empty()) return;
+  panel.commands.line("set contour base\nunset surface\nset cntrparam levels discrete {}\nset table $lines",
+                      levels);
+  Lattice in_space = at;
+  in_space.in_space = true;
+  panel.commands.draw("splot", {raster(cells, in_space, "")});
+  panel.commands.line("unset table\nunset contour\nset surface");
+  for (const char* style :
+       {"linewidth 1.6 linecolor rgb '#b0ffffff'", "linewidth 0.7 linecolor rgb '#202020'"})
+    panel.layers.push_back({fmt::format("using 1:2 with lines {}", style), {}, "$lines"});
+}
+
 }  // namespace
 
 Figure section(const Cases& cases, const Request& request) {
@@ -240,10 +259,8 @@ Figure section(const Cases& cases, const Request& request) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Patch& p = cuts.patches[c];
     const Field shown = p.values / value.factor;
-    const Isolines lines = isolines(shown, lattice_of(p, along, depth), step);
-    out.panels[c].commands = lines.commands;
     out.panels[c].layers = {raster(shown, lattice_of(p, along, depth), "with image")};
-    out.panels[c].layers.insert(out.panels[c].layers.end(), lines.layers.begin(), lines.layers.end());
+    add_isolines(out.panels[c], shown, lattice_of(p, along, depth), step);
     add_mark(out.panels[c], cuts.marks[c], along, depth);
   }
   return out;

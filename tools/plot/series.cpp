@@ -27,17 +27,19 @@ void add_points(std::vector<Layer>& layers, const Field& all, const std::string&
 
 }  // namespace
 
+Field Series::pairs(const Column& x, const Column& y) const {
+  Field out(x.size(), 2);
+  out << x / x_, y / y_;
+  return out;
+}
+
 void Series::add(const Column& x, const Column& y, const std::string& style) {
-  Field table(x.size(), 2);
-  table << x / x_, y / y_;
-  if (table.rows() > 0) layers_.push_back(points(table, style));
+  if (x.size() > 0) layers_.push_back(points(pairs(x, y), style));
 }
 
 void Series::line(const Column& x, const Column& y, const std::string& colour, double width,
                   const std::string& dashes) {
-  Field table(x.size(), 2);
-  table << x / x_, y / y_;
-  add_runs(layers_, table,
+  add_runs(layers_, pairs(x, y),
            fmt::format("with lines linewidth {} {}linecolor rgb '{}'", width,
                        dashes.empty() ? "" : "dashtype " + dashes + ' ', colour));
 }
@@ -52,18 +54,14 @@ void Series::band(const Column& x, const Column& low, const Column& high, const 
 }
 
 void Series::dots(const Column& x, const Column& y, const std::string& colour, double size) {
-  Field table(x.size(), 2);
-  table << x / x_, y / y_;
-  add_points(layers_, table,
+  add_points(layers_, pairs(x, y),
              fmt::format("with points pointtype 7 pointsize {}*dot linecolor rgb '{}'", size, colour));
 }
 
-void Series::circles(const Column& x, const Column& y, const std::string& colour, double size) {
-  Field table(x.size(), 2);
-  table << x / x_, y / y_;
+void Series::circles(const Column& x, const Column& y, const std::string& colour) {
   add_points(
-      layers_, table,
-      fmt::format("with points pointtype 6 pointsize {}*dot linewidth 0.8 linecolor rgb '{}'", size, colour));
+      layers_, pairs(x, y),
+      fmt::format("with points pointtype 6 pointsize 0.3*dot linewidth 0.8 linecolor rgb '{}'", colour));
 }
 
 void Series::bars(const Column& x, const Column& y, const Column& half, const std::string& colour,

@@ -21,7 +21,7 @@ class Series {
   void band(const Column& x, const Column& low, const Column& high, const std::string& colour,
             double opacity = 0.2);
   void dots(const Column& x, const Column& y, const std::string& colour, double size = 0.3);
-  void circles(const Column& x, const Column& y, const std::string& colour, double size = 0.3);
+  void circles(const Column& x, const Column& y, const std::string& colour);
   /// Upright, or where `across` along x.
   void bars(const Column& x, const Column& y, const Column& half, const std::string& colour,
             bool across = false);
@@ -29,6 +29,8 @@ class Series {
   void add(const Column& x, const Column& y, const std::string& style);
 
  private:
+  Field pairs(const Column& x, const Column& y) const;
+
   std::vector<Layer>& layers_;
   double x_, y_;
 };

@@ -100,8 +100,8 @@ Relief relief_of(const Cases& cases, const Request& request) {
   const Quantity quantity = quantity_of(cases, variable);
   Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
   for (const Patch& p : out.patches) out.stride = std::max(out.stride, stride_of(variable, p.values));
-  out.values = request.range.empty() ? range_of(out.patches)
-                                     : field_colours(out.patches, quantity, request).range;
+  out.values =
+      request.range.empty() ? range_of(out.patches) : field_colours(out.patches, quantity, request).range;
   out.level = level_of(out.patches, out.values, quantity);
   out.values = {out.values.low - out.level.value, out.values.high - out.level.value};
   for (Patch& p : out.patches) {
