@@ -52,3 +52,26 @@ TEST_CASE("a warning about one of several surfaces stands in its dataset alone",
   CHECK(require("asperity-contact of_1.nc --sweep 50N,60N --json" + two_bodies).out.find("warnings") ==
         std::string::npos);
 }
+
+// Of an attribute that does not fit its points, which the frame warns of as it reads: the first surface on
+// another thread than the one that presses it.
+TEST_CASE("what is warned of as surfaces are read stands in the dataset of each, and all in that of the mean",
+          "[warnings][several][contract]") {
+  require(rough + " --model gaussian --seed 3 --count 3 -o read_%d.nc");
+  for (const char* name : {"read_0.nc", "read_1.nc"}) {
+    Dataset data = read_dataset(name);
+    data.find("x")->attributes.set("length", 4e-2);
+    write_dataset(data, name);
+  }
+  for (const char* threads : {"1", "2"}) {
+    require("asperity-contact read_?.nc --load 50N" + two_bodies + "--each own_%d.nc -o rows.tsv --threads " +
+            threads);
+    for (const char* of : {"1", "2"})
+      CHECK(attributes_in("own_" + std::string(of) + ".nc").text("contact_warnings").find("0.04 replaced") !=
+            std::string::npos);
+    CHECK(attributes_in("own_3.nc").text("contact_warnings").empty());
+    require("asperity-acf read_?.nc -o mean.nc --threads " + std::string(threads));
+    const std::string of_mean = attributes_in("mean.nc").text("acf_warnings");
+    CHECK(of_mean.starts_with("read_0.nc: x: attribute length 0.04 replaced"));
+  }
+}

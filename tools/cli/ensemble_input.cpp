@@ -166,7 +166,10 @@ class EnsembleInput::Visits {
   void add_read(EnsembleMember one, const Read& read) {
     if (!opened(one, read)) return;
     if (!work_) work_.emplace(one.alone() ? 1 : datasets_at_once(tool, shape_of(one.data)));
-    work_->add([this, one = std::move(one)]() mutable { return worked_on(std::move(one)); });
+    work_->add([this, one = std::move(one), taken = tool.take_warnings()]() mutable {
+      tool.go_on_with(std::move(taken));
+      return worked_on(std::move(one));
+    });
   }
   void begin(const EnsembleMember& one) {
     if (!one.alone()) {
@@ -206,7 +209,10 @@ class EnsembleInput::Visits {
   // A large one among small ones has all threads, in its order.
   Action worked_on(EnsembleMember&& one) {
     if (!works_alone() || !is_worth_all_threads(shape_of(one.data))) return result_of(std::move(one));
-    return [this, one = std::move(one)]() mutable { result_of(std::move(one))(); };
+    return [this, one = std::move(one), taken = tool.take_warnings()]() mutable {
+      tool.go_on_with(std::move(taken));
+      result_of(std::move(one))();
+    };
   }
   Action result_of(EnsembleMember&& one) {
     if (!one.alone()) tool.detail(one.name);

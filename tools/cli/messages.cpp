@@ -92,6 +92,10 @@ std::vector<std::string> Messages::take_warnings() const {
   return out;
 }
 
+void Messages::go_on_with(std::vector<std::string>&& taken) const {
+  if (of_one || works_alone()) warnings_of_one = std::move(taken);
+}
+
 void Messages::note(const std::string& text) const {
   in_order([this, text] {
     const std::optional<std::string> line = subject_.empty() ? text : notes_.first(subject_, text);
@@ -105,6 +109,7 @@ void Messages::about(const std::string& surface) const {
   in_order([this, surface] {
     subject_ = surface;
     if (!surface.empty()) return;
+    of_run_ = printed_;
     for (const std::string& line : warnings_.rest()) warn(line);
     for (const std::string& line : notes_.rest()) note(line);
   });

@@ -28,13 +28,15 @@ class Messages {
   void detail(const std::string& text) const;  ///< with --verbose only
   /// From here on, warnings and notes are about one of several surfaces: of those that differ in numbers
   /// alone the first is printed, the others are counted. After "", which prints the counts, they are about
-  /// the run.
+  /// the run, and so are those printed before: its result is one of all surfaces.
   void about(const std::string& surface) const;
   /// The warnings printed so far.
   const std::vector<std::string>& warnings() const { return printed_; }
   /// Those about the dataset that this thread works on, and those of the run before it, each once. None of
   /// them is about another dataset afterwards, but those of the run.
   std::vector<std::string> take_warnings() const;
+  /// Those taken on the thread that worked on this dataset before.
+  void go_on_with(std::vector<std::string>&& taken) const;
   /// A line as it is, but for what could control a terminal.
   static void say(const std::string& line);
 
