@@ -144,7 +144,11 @@ struct LoadVerdict {
   std::vector<Doubt> doubts;
   std::string unconverged;  ///< why; "": converged
 };
-using Say = std::function<void(const LoadVerdict&)>;
+// finish() comes before the table.
+struct Say {
+  std::function<void(const LoadVerdict&)> say;
+  std::function<void()> finish;
+};
 
 // Says it load by load: a kind of doubt in full at its first load, then a count and the last load.
 class Verdicts {
@@ -154,27 +158,30 @@ class Verdicts {
   void say(const LoadVerdict& verdict) {
     for (const Doubt& doubt : verdict.doubts) {
       Seen& seen = seen_[doubt.about];
-      if (seen.loads++ == 0) tool_.warn(verdict.load + ": " + doubt.words);
+      if (seen.loads++ == 0) tool_.warn(verdict.load + ": " + doubt.words, of_a_load);
       seen.last = verdict.load;
     }
     if (verdict.unconverged.empty()) return;
-    tool_.warn(verdict.load + ": " + verdict.unconverged);
+    tool_.warn(verdict.load + ": " + verdict.unconverged, of_a_load);
     code_ = cli::not_converged;
   }
-  /// The exit code.
-  int finish() const {
+  /// Before the table is printed.
+  void finish() const {
     for (const auto& [about, seen] : seen_)
       if (const int more = seen.loads - 1; more > 0)
         tool_.warn(fmt::format("the contact {} under {} more load{}, up to {}", about, more,
-                               more == 1 ? "" : "s", seen.last));
-    return code_;
+                               more == 1 ? "" : "s", seen.last),
+                   of_a_load);
   }
+  int code() const { return code_; }
 
  private:
   struct Seen {
     int loads = 0;
     std::string last;
   };
+
+  static constexpr bool of_a_load = false;  // not of the run: whose dataset has it from sweep_table()
 
   const cli::Tool& tool_;
   std::map<std::string_view, Seen> seen_ = {};
@@ -184,7 +191,7 @@ class Verdicts {
 // A row for each load; `say` comes after each.
 cli::Table sweep_table(const cli::Tool& tool, const cli::ContactOptions& options,
                        const cli::ContactScene& scene, ElasticOperator& influence, const std::string& of,
-                       const Say& say) {
+                       const std::function<void(const LoadVerdict&)>& say) {
   cli::Table out;
   std::size_t number = 0;
   const auto add = [&](const Contact& c) {
@@ -197,6 +204,10 @@ cli::Table sweep_table(const cli::Tool& tool, const cli::ContactOptions& options
     if (options.each.empty()) return;
     cli::ContactScene one = scene;
     cli::record(one, options, c, figures);
+    std::vector<std::string> lines;
+    for (const Doubt& doubt : verdict.doubts) lines.push_back(doubt.words);
+    if (!verdict.unconverged.empty()) lines.push_back(verdict.unconverged);
+    tool.record_warnings(one.data.attributes, "contact_", lines);
     if (number == 1) cli::Inventory(scene.data).tell(tool, one.data, "pressure");
     one.written([&] {
       tool.write(one.data, cli::numbered("each", options.each, static_cast<std::int64_t>(number)));
@@ -237,7 +248,9 @@ int sweep_one(const cli::Tool& tool, cli::ContactOptions& options, const Say& sa
   const cli::ContactScene scene = only_scene(tool, options);
   cli::Influence influence(options);
   warn_of(tool, options, scene);
-  cli::print(tool, sweep_table(tool, options, scene, influence.on(scene.grid), "", say));
+  const cli::Table table = sweep_table(tool, options, scene, influence.on(scene.grid), "", say.say);
+  say.finish();
+  cli::print(tool, table);
   return cli::done;
 }
 
@@ -262,22 +275,24 @@ int sweep_several(const cli::Tool& tool, cli::ContactOptions& options, const Say
         return out;
       },
       [&](const One& one, const std::string& name) {
-        for (const LoadVerdict& verdict : one.verdicts) say(verdict);
+        for (const LoadVerdict& verdict : one.verdicts) say.say(verdict);
         mean.add(one.loads, name);
       },
       several_contacts());
+  say.finish();
   mean.print(tool);
   return code;
 }
 
 int sweep(const cli::Tool& tool, cli::ContactOptions& options, ProgressCounter& counter) {
   Verdicts verdicts(tool);
-  const Say say = [&](const LoadVerdict& verdict) {
-    counter.next();
-    verdicts.say(verdict);
-  };
+  const Say say{[&](const LoadVerdict& verdict) {
+                  counter.next();
+                  verdicts.say(verdict);
+                },
+                [&] { verdicts.finish(); }};
   const int failed = options.several() ? sweep_several(tool, options, say) : sweep_one(tool, options, say);
-  return std::max(verdicts.finish(), failed);
+  return std::max(verdicts.code(), failed);
 }
 
 }  // namespace

@@ -75,3 +75,17 @@ TEST_CASE("what is warned of as surfaces are read stands in the dataset of each,
     CHECK(of_mean.starts_with("read_0.nc: x: attribute length 0.04 replaced"));
   }
 }
+
+// Of 1 N and 2 N alone the contact has few cells. The count of later loads comes before the table.
+TEST_CASE("a warning about a load of a sweep stands in the dataset of this load", "[warnings][contract]") {
+  require(rough + " --model gaussian --seed 3 -o swept.nc");
+  const std::string sweep = "asperity-contact swept.nc --sweep 1N,2N,800N" + two_bodies;
+  require(sweep + " --each load_%d.nc -o rows.tsv");
+  for (const char* file : {"load_1.nc", "load_2.nc", "load_3.nc"}) {
+    const std::string warned = attributes_in(file).text("contact_warnings");
+    CAPTURE(file, warned);
+    CHECK((warned.find("fewer than 50") == warned.npos) == (file == std::string("load_3.nc")));
+    CHECK(warned.find("N: ") == warned.npos);
+  }
+  CHECK(require(sweep + " --json").out.find("under 1 more load, up to 2N") != std::string::npos);
+}

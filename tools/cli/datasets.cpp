@@ -80,14 +80,12 @@ void Datasets::declare_output() {
                            : ". A dataset is NetCDF: name it FILE.nc, or without an extension"),
                   "Common");
   if (writes_table_) {
-    const Option json =
-        options_.flag("--json", json_, "Print one JSON object instead of a table", "Common");
-    options_
-        .choice("--table", table_, {"auto", "text", "tsv"},
-                "Form of a table; text: aligned and rounded, with errors behind ±; tsv: tab-separated, with all "
-                "digits, for programs; auto: text on a terminal, else tsv",
-                "Common")
-        .excludes(json);
+    options_.flag("--json", json_, "Print one JSON object instead of a table", "Common");
+    options_.choice(
+        "--table", table_, {"auto", "text", "tsv"},
+        "Form of a table where one is printed; text: aligned and rounded, with errors behind ±; tsv: "
+        "tab-separated, with all digits, for programs; auto: text on a terminal, else tsv",
+        "Common");
   }
   if (reports_)
     options_.text("--report", report_, "FILE.json", "Write residuals and other results as one JSON object",
@@ -214,13 +212,20 @@ void Datasets::sign(Dataset& dataset, const std::vector<std::string>& lines) con
 }
 
 void Datasets::record_warnings(Attributes& attributes, std::string_view prefix) const {
+  record_warnings(attributes, prefix, messages_.take_warnings());
+}
+
+void Datasets::record_warnings(Attributes& attributes, std::string_view prefix,
+                               const std::vector<std::string>& warnings) const {
   std::string known = "\n";
   for (const Attribute& a : attributes)
     if (a.name.ends_with(warnings_suffix)) known += attributes.text(a.name) + "\n";
   const std::string name = std::string(prefix) + warnings_suffix;
   std::string lines = attributes.text(name);
-  for (const std::string& line : messages_.take_warnings())
+  for (const std::string& warning : warnings) {
+    const std::string line = one_line(with_options(warning, options_));
     if (known.find("\n" + line + "\n") == known.npos) lines += (lines.empty() ? "" : "\n") + line;
+  }
   if (!lines.empty()) attributes.set(name, lines);
 }
 

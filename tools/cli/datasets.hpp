@@ -79,9 +79,11 @@ class Datasets {
   // The parts of write(), for a tool that writes its dataset piece by piece.
   /// Conventions, source and history; `lines` are what the run did, after its command.
   void sign(Dataset& dataset, const std::vector<std::string>& lines = {}) const;
-  /// Adds what take_warnings() has and the dataset has not to the attribute PREFIX_warnings, a line each.
+  /// Adds those of take_warnings(), or of `lines`, that the dataset has not to the attribute PREFIX_warnings.
   /// sign() does so for the tool's own result.
   void record_warnings(Attributes& attributes, std::string_view prefix) const;
+  void record_warnings(Attributes& attributes, std::string_view prefix,
+                       const std::vector<std::string>& lines) const;
   void write_report(const Dataset& dataset) const;  ///< to --report, if given
 
  private:

@@ -67,8 +67,8 @@ void Messages::declare(Options& options) {
 
 void Messages::say(const std::string& line) { Progress::say(one_line(line)); }
 
-void Messages::warn(const std::string& text) const {
-  keep(one_line(with_options(text, options_)));
+void Messages::warn(const std::string& text, bool kept) const {
+  if (kept) keep(one_line(with_options(text, options_)));
   in_order([this, text] {
     const std::optional<std::string> line = subject_.empty() ? text : warnings_.first(subject_, text);
     if (!line) return;

@@ -23,7 +23,8 @@ class Messages {
   bool verbose() const { return verbose_; }
   /// "TOOL: text"; a warning is printed even with --quiet, a note only without it. Those of several datasets
   /// come in the order of these, and so does about().
-  void warn(const std::string& text) const;
+  /// `kept`: for take_warnings(), too.
+  void warn(const std::string& text, bool kept = true) const;
   void note(const std::string& text) const;
   void detail(const std::string& text) const;  ///< with --verbose only
   /// From here on, warnings and notes are about one of several surfaces: of those that differ in numbers

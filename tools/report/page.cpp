@@ -23,15 +23,15 @@ constexpr std::pair<const char*, const char*> stages[] = {{"kernel", "Autocorrel
                                                           {"contact", "Contact"},
                                                           {"stress", "Stress below the surface"}};
 
-constexpr std::string_view style =
+constexpr std::string_view style = {
 #include "page.css.inc"
-    ;
-constexpr std::string_view script =
+};
+constexpr std::string_view script = {
 #include "page.js.inc"
-    ;
-constexpr std::string_view script_of_field =
+};
+constexpr std::string_view script_of_field = {
 #include "field.js.inc"
-    ;
+};
 
 // ---- description of the dataset ----
 
