@@ -42,7 +42,7 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
               along_y = mirrored_blocks(most_y, ny, grid.periodic.y);
   PairBlocks blocks(d, grid, max_lag, along_x, along_y);
   const auto [waves, nu] = directions(long_waves, blocks, {{along_x, along_y}, 1, 1, grid.periodic});
-  spectra_ = WaveSpectra(nu);
+  spectra_ = WaveSpectra(LongWaveNumbers{nu.nu});  // without ridges
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
   waves_.assign(static_cast<std::size_t>(waves.rows()) + 1, {none, none, none, none});
   for (Index first = 0; first < blocks.count(); first += threads) {

@@ -10,8 +10,9 @@
 /// they differ by the points near the edges, which makes ρ deviate by ρ (Q/R(0,0) - 1) beside (2).
 ///
 /// At each lag the mode of wave k is c_k times the root of its weight in the average over spectra
-/// (stats/uncertainty/wave_spectra.hpp), so that the squares of the modes add up to SE². At all lags of up to
-/// half the field they are of the waves ν ≤ 5. Student's t has the degrees of freedom of the mean of z².
+/// (stats/uncertainty/wave_spectra.hpp), without its ridges, so that the squares of the modes add up to SE².
+/// At all lags of up to half the field they are of the waves ν ≤ 5, too few to tell a ridge from a lay, whose
+/// intervals it would widen by half. Student's t has the degrees of freedom of the mean of z².
 ///
 /// The waves are sums over blocks of the field, two a half wave of the shortest, four along a period, and for
 /// odd sides one more;

@@ -95,7 +95,7 @@ double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index 
   }
   // A wave's variance over the pairs counts as 0.05 at least.
   const Eigen::ArrayXd variances = (pairs * squares - means.square()).max(0.05 * pairs * pairs);
-  return WaveSpectra(nu).error(sums.square() / variances).error;
+  return WaveSpectra(LongWaveNumbers{nu.nu}).error(sums.square() / variances).error;
 }
 
 }  // namespace
