@@ -226,7 +226,7 @@ inline constexpr KnownAttribute attributes[] = {
     {"stress_friction", parameter, "1", "coefficient of friction"},
     {"stress_friction_angle", parameter, "rad", "direction of friction"},
     {"stress_resolution", parameter, "", "resolution"},
-    {"stress_above", parameter, "1", "smallest stress kept, share of the largest"},
+    {"stress_above", parameter, "Pa", "smallest stress kept"},
     {"stress_section_x", parameter, "m", "section at x"},
     {"stress_section_y", parameter, "m", "section at y"},
     {"stress_accurate_depth", achieved, "m", "smallest accurate depth"},

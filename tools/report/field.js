@@ -314,7 +314,7 @@ async function viewer(box) {
   addEventListener('resize', draw);
   matchMedia('(prefers-color-scheme: dark)').onchange = draw;
 }
-// A volume of one byte a cell, differences from depth to depth.
+// A volume of one byte a cell, differences from depth to depth; 255 is missing.
 async function depths_of(script) {
   const d = script.dataset,
     raw = await inflated(script.textContent),
@@ -332,7 +332,7 @@ async function depths_of(script) {
     range: range(d.range),
     label: d.label,
     unit: d.unit,
-    values: Float64Array.from(raw, v => low + step * v),
+    values: Float64Array.from(raw, v => (v === 255 ? NaN : low + step * v)),
   };
 }
 // Without it the still figures stay.

@@ -23,6 +23,7 @@ constexpr Index most_blocks = 512, least_blocks = 64;         // along a side
 constexpr double most_bytes = 420'000;                        // of all fields in the page
 constexpr Index most_cells = 1 << 19;                         // of a volume
 constexpr double largest_code = 65534, missing_code = 65535;  // of 16 bits
+constexpr double deepest_code = 254, missing_below = 255;     // of 8 bits, of a volume
 
 // States and counts have no means.
 bool whole(const Variable& v) {
@@ -138,8 +139,8 @@ std::string volume_data(const Dataset& data, const plot::Unit& length) {
   const plot::Range range = plot::range_of(values);
   const plot::Unit unit = plot::unit_for(range.magnitude(), "Pa");
   const double low = range.low / unit.factor,
-               step = range.width() > 0 ? range.width() / unit.factor / 255 : 1;
-  const Field codes = ((values / unit.factor - low) / step).round();
+               step = range.width() > 0 ? range.width() / unit.factor / deepest_code : 1;
+  const Field codes = values.isFinite().select(((values / unit.factor - low) / step).round(), missing_below);
   std::string bytes;
   for (Index k = 0; k < codes.rows(); ++k)
     for (Index c = 0; c < codes.cols(); ++c)
@@ -186,7 +187,7 @@ std::string words_about(const Grid& grid, const Grid& shown, bool volume) {
         " {} × {} points are shown as {} × {} means over blocks, states by the point in the middle; "
         "single points are higher and lower.",
         grid.shape.nx, grid.shape.ny, shown.shape.nx, shown.shape.ny);
-  if (volume) out += " The stress below is shown in 255 steps.";
+  if (volume) out += " The stress below is shown in 254 steps.";
   return element("p", out, "soft");
 }
 
@@ -206,7 +207,8 @@ bool has_volume(const Dataset& data) {
   const Variable* v = data.find("von_mises");
   if (!v || v->dimensions != std::vector<std::string>{"z", "x", "y"} || data.length("z") < 2) return false;
   const std::vector<double> depths = depths_of(data);
-  return std::ranges::is_sorted(depths, std::less_equal<>());
+  return std::ranges::is_sorted(depths, std::less_equal<>()) &&
+         std::ranges::any_of(present_numbers(*v), [](double stress) { return std::isfinite(stress); });
 }
 
 Dataset in_blocks(const Dataset& data, const std::vector<std::string>& names, Index most) {
