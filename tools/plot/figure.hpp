@@ -35,9 +35,10 @@ struct Request {
   bool scale_bar = false;                                      ///< in place of the axes of a map
   bool titled = false;                                         ///< `title` was given
   std::string title;
-  int columns = 0;     ///< of panels; 0: all panels in one row
-  Shape pixels;        ///< 0 × 0: chosen to fit the figure
-  std::string format;  ///< "png", "svg" or "pdf"
+  int columns = 0;        ///< of panels; 0: all panels in one row
+  Shape pixels;           ///< 0 × 0: chosen to fit the figure
+  Index most_blocks = 0;  ///< of a map along a side; 0: as many as there are pixels
+  std::string format;     ///< "png", "svg" or "pdf"
 
   std::string variable_or(const char* own) const { return variable.empty() ? own : variable; }
 };
@@ -56,6 +57,7 @@ struct Axis {
   Range range;
   std::string label;
   bool downwards = false, logarithmic = false;
+  double unit = 1;        ///< in SI, by which the range is divided
   std::string note = {};  ///< in small letters below the label, of this panel alone: "y × 6"
   std::string bar = {};   ///< a unit: in place of numbers and label stands a bar of a round length below x
 };
@@ -63,7 +65,7 @@ struct Axis {
 inline Range drawn(const Axis& axis) { return axis.logarithmic ? axis.range : drawable(axis.range); }
 /// The axis of a range in SI: "height [µm]".
 inline Axis axis_of(Range range, const Unit& unit, std::string_view quantity) {
-  return {range / unit.factor, unit.label(quantity)};
+  return {.range = range / unit.factor, .label = unit.label(quantity), .unit = unit.factor};
 }
 
 /// The sizes of symbols are multiples of `dot`, one em, in scripts: "pointsize 0.4*dot".

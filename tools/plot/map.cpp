@@ -14,40 +14,19 @@ constexpr struct {
   const char *colour, *name;
 } states[] = {{"#ecece6", "open"}, {"#4d9fd6", "elastic"}, {"#a3123a", "at the limit"}};
 
-// Blocks of so many points along x and y, of which each pixel shows one.
-struct Blocks {
-  Index along_x, along_y;
-
-  bool single() const { return along_x == 1 && along_y == 1; }
-};
-// SVG and PDF are looked at enlarged too.
-Blocks blocks_of(const Patch& p, const Layout& layout, const Request& request) {
-  const double scale = request.format == "png" ? 1 : 4;
+// Blocks of so many points along x and y, of which each pixel shows one; SVG and PDF are looked at enlarged too.
+Shape block_of(const Patch& p, const Layout& layout, const Request& request) {
+  const double scale = request.format == "png" ? 1 : 4, most = static_cast<double>(request.most_blocks);
   auto per_pixel = [&](Index points, double pixels) {
-    return static_cast<Index>(std::ceil(static_cast<double>(points) / std::max(1.0, scale * pixels)));
+    return static_cast<Index>(
+        std::ceil(static_cast<double>(points) / (most > 0 ? most : std::max(1.0, scale * pixels))));
   };
   return {per_pixel(p.values.rows(), layout.panel_width), per_pixel(p.values.cols(), layout.panel_height)};
 }
 
-// A value for each block from those of its points that are not missing; where the side is no multiple, some
-// blocks are a point shorter.
-enum class Shows { means, largest };
-Field pixels_of(const Field& all, Blocks of, Shows shows) {
-  const Index nx = (all.rows() + of.along_x - 1) / of.along_x,
-              ny = (all.cols() + of.along_y - 1) / of.along_y;
-  return Field::NullaryExpr(nx, ny, [&](Index i, Index j) {
-    const Index x = i * all.rows() / nx, y = j * all.cols() / ny;
-    const auto block = all.block(x, y, (i + 1) * all.rows() / nx - x, (j + 1) * all.cols() / ny - y);
-    const auto there = block.isFinite();
-    if (!there.any()) return std::numeric_limits<double>::quiet_NaN();
-    if (shows == Shows::largest) return there.select(block, -unlimited).maxCoeff();
-    return there.select(block, 0).sum() / static_cast<double>(there.count());
-  });
-}
-
 // Values are divided by `unit`. Each panel has the unit of length that suits its size.
 void add_plan_views(Figure& out, const std::vector<Patch>& patches, double unit, const Request& request,
-                    Shows shows) {
+                    Block shown) {
   out.aspect = std::clamp(patches[0].y.width() / patches[0].x.width(), flattest, tallest);
   if (request.scale_bar) out.left = 1.2, out.bottom = 2;
   for (std::size_t c = 0; c < patches.size(); ++c) {
@@ -64,13 +43,13 @@ void add_plan_views(Figure& out, const std::vector<Patch>& patches, double unit,
   const Layout layout = layout_of(out, request);
   for (std::size_t c = 0; c < patches.size(); ++c) {
     const Patch& p = patches[c];
-    const Blocks blocks = blocks_of(p, layout, request);
-    if (!blocks.single())
+    const Shape block = block_of(p, layout, request);
+    if (block.cells() > 1)
       add_note(out, c,
-               fmt::format("{} of {} × {} points", shows == Shows::means ? "means" : "largest",
-                           blocks.along_x, blocks.along_y));
+               fmt::format("{} of {} × {} points", shown == Block::mean ? "means" : "largest", block.nx,
+                           block.ny));
     const Unit length = unit_for(reach(p), "m");
-    const Patch drawn{pixels_of(p.values, blocks, shows) / unit, p.x, p.y};
+    const Patch drawn{in_blocks(p.values, blocks_in(p.values, block), shown) / unit, p.x, p.y};
     out.panels[c].layers = {raster(drawn.values, lattice_of(drawn, length, length), "with image")};
   }
 }
@@ -117,7 +96,7 @@ Figure map(const Cases& cases, const Request& request) {
   if (!out.comparison) out.title = range_in_words(patches[0], quantity, level);
   out.right = 7.6;
   out.colours = {colours, value, quantity.name + level.words() + colours.words};
-  add_plan_views(out, patches, value.factor, request, Shows::means);
+  add_plan_views(out, patches, value.factor, request, Block::mean);
   return out;
 }
 
@@ -132,7 +111,7 @@ Figure contact(const Cases& cases, const Request& request) {
   Figure out = side_by_side(request, cases);
   if (!out.comparison) out.title = shares_in_words(patches[0].values);
   for (const auto& state : states) out.legend.push_back({LegendEntry::Key::box, state.colour, state.name});
-  add_plan_views(out, patches, 1, request, Shows::largest);
+  add_plan_views(out, patches, 1, request, Block::largest);
   out.commands.line("set palette maxcolors 3 defined (0 '{}', 1 '{}', 2 '{}')", states[0].colour,
                     states[1].colour, states[2].colour);
   out.commands.line("set cbrange [-0.5:2.5]");

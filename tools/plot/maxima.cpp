@@ -6,8 +6,8 @@
 #include "dataset/conventions.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
+#include "tools/plot/curves.hpp"
 #include "tools/plot/measured.hpp"
-#include "tools/plot/series.hpp"
 #include "tools/plot/table.hpp"
 
 namespace asperity::plot {
@@ -83,16 +83,17 @@ Maxima maxima_of(const Case& c, const Request& request) {
   return out;
 }
 
-void add_curves(Series to, Series::Column z, const Maxima& m, std::size_t colour) {
-  const Series::Column v = m.curve.col(1), half = m.curve.col(2);
+void add_curves(Curves& to, const Maxima& m, std::size_t colour) {
+  const Curves::Column z = m.curve.col(0), v = m.curve.col(1), half = m.curve.col(2);
   to.band(z, v - half, v + half, line_colour(colour));
   to.line(z, v, line_colour(colour));
   to.dots(z, v, line_colour(colour));
   if (std::isnan(m.top.value)) return;
-  const Series::Column depth{{m.top.depth}}, top{{m.top.value}};
-  to.bars(depth, top, Series::Column{{std::fmax(m.top.depth_error, 0)}}, "black", true);
-  to.bars(depth, top, Series::Column{{std::fmax(m.top.value_error, 0)}}, "black");
-  to.add(depth, top, "with points pointtype 2 pointsize 0.7*dot linewidth 1.6 linecolor rgb 'black'");
+  const Curves::Column depth{{m.top.depth}}, top{{m.top.value}};
+  to.bars(depth, top, Curves::Column{{std::fmax(m.top.depth_error, 0)}}, "black", true);
+  to.bars(depth, top, Curves::Column{{std::fmax(m.top.value_error, 0)}}, "black");
+  to.add(Field{{m.top.depth, m.top.value}}, "xy",
+         "with points pointtype 2 pointsize 0.7*dot linewidth 1.6 linecolor rgb 'black'");
 }
 
 // On one axis.
@@ -121,39 +122,28 @@ std::string title_of(const Maxima& m) {
 
 Figure maxima(const Cases& cases, const Request& request) {
   std::vector<Maxima> all;
-  Range depths{unlimited, -unlimited}, values{0, 0};
-  for (const Case& c : cases) {
-    const Maxima& m = all.emplace_back(maxima_of(c, request));
-    const Eigen::ArrayXd half = m.curve.col(2).isFinite().select(m.curve.col(2), 0.0);
-    const double error = m.top.value_error > 0 ? m.top.value_error : 0;
-    depths = united(depths, range_of(m.curve.col(0)));
-    values = united(values, range_of(m.curve.col(1) + half));
-    if (m.top.value > 0) values.high = std::max(values.high, m.top.value + error);
-  }
-  if (!(values.magnitude() > 0)) throw DataError(all[0].quantity.name, "no layer holds a value but 0");
+  Range depths = nothing;
+  for (const Case& c : cases)
+    depths = united(depths, range_of(all.emplace_back(maxima_of(c, request)).curve.col(0)));
   if (!(depths.width() > 0)) throw DataError("depth", "has one value: a curve needs two");
   depths = part_of(depths, request.depth, "depth-range");
-  const Quantity quantity = quantity_of(all, cases);
-  values = value_range(request, quantity.unit, values, {1.06 * values.low, 1.06 * values.high});
-  const Unit depth = unit_for(depths.high, "m"), value = unit_for(values.magnitude(), quantity.unit);
-  Figure out{.columns = 1};
-  Panel panel;
   const double least = all[0].accurate;
   const bool inaccurate = depths.contains(least) && least > depths.low;
+  Curves curves;
   if (inaccurate)
-    Series(panel, depth.factor, value.factor)
-        .line(Series::Column{{least, least}}, Series::Column{{0, values.high}}, "#707070", 1.1, "(8,5)");
-  panel.x = axis_of(depths, depth, "depth z");
+    curves.line(Curves::Column{{least, least}}, Curves::Column{{0, unlimited}}, "#707070", 1.1, "(8,5)");
+  for (std::size_t c = 0; c < all.size(); ++c) add_curves(curves, all[c], c);
+  const Range values = united({0, 0}, curves.y);
+  if (!(values.magnitude() > 0)) throw DataError(all[0].quantity.name, "no layer holds a value but 0");
   const char* bar = std::ranges::any_of(all, &Maxima::of_magnitude) ? "|" : "";
-  panel.y = axis_of(values, value, fmt::format("largest {0}{1}{0}", bar, quantity.name));
-  using enum LegendEntry::Key;
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    add_curves({panel, depth.factor, value.factor}, all[c].curve.col(0), all[c], c);
-    if (all.size() > 1) out.legend.push_back({line, line_colour(c), cases[c].label});
-  }
-  if (inaccurate) out.legend.push_back({dashes, "#707070", "accurate from here down"});
+  const Quantity quantity = quantity_of(all, cases);
+  const Axis y = value_axis(request, values, {1.06 * values.low, 1.06 * values.high}, quantity,
+                            fmt::format("largest {0}{1}{0}", bar, quantity.name));
+  Figure out{.panels = {{}}};
+  place(out.panels[0], curves, axis_of(depths, unit_for(depths.high, "m"), "depth z"), y);
+  name_cases(out, cases);
+  if (inaccurate) out.legend.push_back({LegendEntry::Key::dashes, "#707070", "accurate from here down"});
   if (all.size() == 1) out.title = title_of(all[0]);
-  out.panels = {panel};
   return out;
 }
 

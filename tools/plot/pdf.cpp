@@ -6,8 +6,8 @@
 #include "dataset/layout.hpp"
 #include "stats/height/distribution.hpp"
 #include "tools/measure/height_tables.hpp"
+#include "tools/plot/curves.hpp"
 #include "tools/plot/measured.hpp"
-#include "tools/plot/series.hpp"
 
 namespace asperity::plot {
 namespace {
@@ -74,50 +74,43 @@ double gaussian(const Moments& m, double z) {
   return std::exp(-0.5 * t * t) / (m.sq * std::sqrt(2 * std::numbers::pi));
 }
 
-struct Scales {
-  Unit height, per;  ///< of the axis; the density is per `per`, so that its numbers are 1 to 1000
-  Range x;           ///< in SI
-  double top;        ///< of the density, per unit of height
-};
-
-Scales scales_of(const std::vector<Distribution>& all, const Quantity& quantity) {
-  Range x{unlimited, -unlimited};
-  double peak = 0, end = 0;  // of the densities, and of their intervals
-  for (const Distribution& d : all) {
-    x = united(x, {d.bins.front().lower, d.bins.back().upper});
-    if (d.part.empty()) peak = std::max(peak, gaussian(d.moments, d.moments.mean));
-    for (const Bin& b : d.bins) {
-      peak = std::max(peak, d.density(b.count, b));
-      end = std::max(end, d.density(d.ends(b).high, b));
-    }
-  }
-  peak = std::clamp(end, peak, 2 * peak);  // the interval of a bin that hardly holds heights goes on beyond
-  const Unit height = unit_for(x.magnitude(), quantity.unit), per = unit_for(1000 / peak, quantity.unit);
-  return {height, per, x, 1.05 * peak * per.factor};
-}
-
 // Intervals are boxes too, which let the histogram and the Gaussian show.
-void add_curves(Panel& panel, const Distribution& d, const Scales& scales) {
-  constexpr int samples = 400;
-  const double height = scales.height.factor, per = scales.per.factor;
+Curves boxes_of(const Distribution& d) {
   Field bars(std::ssize(d.bins), 3), ranges(std::ssize(d.bins), 6);
   for (Index k = 0; const Bin& b : d.bins) {
     const auto [low, high] = d.ends(b);
-    bars.row(k) << b.centre() / height, d.density(b.count, b) * per, b.width() / height;
-    ranges.row(k++) << b.centre() / height, d.density(b.count, b) * per, b.lower / height, b.upper / height,
-        d.density(low, b) * per, d.density(high, b) * per;
+    bars.row(k) << b.centre(), d.density(b.count, b), b.width();
+    ranges.row(k++) << b.centre(), d.density(b.count, b), b.lower, b.upper, d.density(low, b),
+        d.density(high, b);
   }
-  panel.layers = {
-      points(bars,
-             "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb "
-             "'#b9d3e8'"),
-      points(ranges,
-             "with boxxyerror fillstyle transparent solid 0.3 noborder fillcolor rgb "
-             "'#10456b'")};
-  const Series::Column z = Series::Column::LinSpaced(samples + 1, scales.x.low, scales.x.high);
-  if (d.part.empty())
-    Series(panel, height, 1 / per)
-        .line(z, z.unaryExpr([&](double at) { return gaussian(d.moments, at); }), "#d55e00", 1.6);
+  Curves out;
+  out.add(bars, "xyX",
+          "with boxes fillstyle solid 1 border linecolor rgb 'white' linewidth 0.4 fillcolor rgb '#b9d3e8'");
+  out.add(ranges, "xyxxYY",
+          "with boxxyerror fillstyle transparent solid 0.3 noborder fillcolor rgb '#10456b'");
+  return out;
+}
+
+void add_gaussian(Curves& to, const Moments& m, Range x) {
+  const Curves::Column z = Curves::Column::LinSpaced(401, x.low, x.high);
+  to.line(z, z.unaryExpr([&](double at) { return gaussian(m, at); }), "#d55e00", 1.6);
+}
+
+// The interval of a bin that hardly holds heights goes on beyond.
+double top_of(const std::vector<Distribution>& all, const std::vector<Curves>& curves) {
+  const double peak = range_of(curves, &Curves::y).high;
+  double end = 0;
+  for (const Distribution& d : all)
+    for (const Bin& b : d.bins) end = std::max(end, d.density(d.ends(b).high, b));
+  return std::clamp(end, peak, 2 * peak);
+}
+
+// Per the unit with which its numbers are 1 to 1000.
+Axis density_axis(double top, const Quantity& quantity) {
+  const Unit per = unit_for(1000 / top, quantity.unit);
+  return {.range = {0, 1.05 * top * per.factor},
+          .label = per.name.empty() ? "density" : "density [1/" + per.name + "]",
+          .unit = 1 / per.factor};
 }
 
 }  // namespace
@@ -126,11 +119,15 @@ Figure pdf(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
   const Quantity quantity = quantity_of(cases, variable);
   std::vector<Distribution> all;
-  for (const Case& c : cases) all.push_back(distribution_of(c, variable));
-  const Scales scales = scales_of(all, quantity);
+  std::vector<Curves> curves;
+  for (const Case& c : cases) curves.push_back(boxes_of(all.emplace_back(distribution_of(c, variable))));
+  const Range heights = range_of(curves, &Curves::x);
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    if (all[c].part.empty()) add_gaussian(curves[c], all[c].moments, heights);
+  const Axis x = axis_of(heights, unit_for(heights.magnitude(), quantity.unit), quantity.name),
+             y = density_axis(top_of(all, curves), quantity);
   const bool with_errors =
       std::ranges::any_of(all[0].bins, [](const Bin& b) { return b.share.interval.known(); });
-  const std::string& per = scales.per.name;
   using enum LegendEntry::Key;
   Figure out = side_by_side(request, cases);
   const bool part = !all[0].part.empty();
@@ -142,9 +139,7 @@ Figure pdf(const Cases& cases, const Request& request) {
   if (with_errors) out.legend.push_back({box, "#86a8c3", "95 % intervals"});
   if (!part) out.legend.push_back({line, "#d55e00", "Gaussian"});
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    out.panels[c].x = axis_of(scales.x, scales.height, quantity.name);
-    out.panels[c].y = {{0, scales.top}, per.empty() ? "density" : "density [1/" + per + "]"};
-    add_curves(out.panels[c], all[c], scales);
+    place(out.panels[c], curves[c], x, y);
     if (!all[c].note.empty())
       out.notes.push_back((out.comparison ? cases[c].label + ": " : "") + all[c].note);
   }

@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "dataset/layout.hpp"
-#include "tools/plot/series.hpp"
+#include "tools/plot/curves.hpp"
 #include "tools/plot/source.hpp"
 
 namespace asperity::plot {
@@ -39,42 +39,26 @@ std::vector<std::string> sections(const Request& request, const Dataset& data) {
 }
 
 // Adds some room above and below, but none below zero for values that are never negative.
-Range with_room(Range r) {
+Range amid_room(Range r) {
   const double room = r.width() > 0 ? 0.06 * r.width() : 1;
   return {r.low == 0 ? 0 : r.low - room, r.high + room};
 }
 
-// A section and its traces, one per case.
+// A section of all cases.
 struct Row {
   Section section;
-  std::vector<Field> traces;
-
-  // Of a column of all traces.
-  Range range(Index column) const {
-    Range out{unlimited, -unlimited};
-    for (const Field& trace : traces) out = united(out, range_of(trace.col(column)));
-    return out;
-  }
+  Curves curves = {};
 };
 
 std::vector<Row> rows_of(const Cases& cases, const std::string& variable, const Request& request) {
   std::vector<Row> out;
   for (const std::string& text : sections(request, cases[0].data)) {
-    Row row{section_of(cases[0].data, text), {}};
-    for (const Case& c : cases)
-      row.traces.push_back(trace_of(c, variable, section_of(c.data, text), request));
-    out.push_back(std::move(row));
+    Row& row = out.emplace_back(section_of(cases[0].data, text));
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      const Field trace = trace_of(cases[c], variable, section_of(cases[c].data, text), request);
+      row.curves.line(trace.col(0), trace.col(1), line_colour(c));
+    }
   }
-  return out;
-}
-
-Panel panel_of(const Row& row, const Unit& length, const Axis& values, double unit) {
-  Panel out;
-  out.x = axis_of(row.range(0), length, row.section.along());
-  out.x->label += " at " + row.section.label();
-  out.y = values;
-  for (std::size_t c = 0; c < row.traces.size(); ++c)
-    Series(out, length.factor, unit).line(row.traces[c].col(0), row.traces[c].col(1), line_colour(c));
   return out;
 }
 
@@ -83,20 +67,22 @@ Panel panel_of(const Row& row, const Unit& length, const Axis& values, double un
 Figure profile(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
   const std::vector<Row> rows = rows_of(cases, variable, request);
-  Range values{unlimited, -unlimited};
+  Range values = nothing;
   double reach = 0;
   for (const Row& row : rows) {
-    values = united(values, row.range(1));
-    reach = std::max(reach, row.range(0).magnitude());
+    values = united(values, row.curves.y);
+    reach = std::max(reach, row.curves.x.magnitude());
   }
   const Quantity quantity = quantity_of(cases, variable);
-  values = value_range(request, quantity.unit, values, with_room(values));
-  const Unit length = unit_for(reach, "m"), value = unit_for(values.magnitude(), quantity.unit);
+  const Axis y = value_axis(request, values, amid_room(values), quantity, quantity.name);
+  const Unit length = unit_for(reach, "m");
   Figure out{.aspect = rows.size() > 1 ? 0.32 : 0.45, .gap_y = 4.8};
-  for (std::size_t c = 0; c < cases.size() && cases.size() > 1; ++c)
-    out.legend.push_back({LegendEntry::Key::line, line_colour(c), cases[c].label});
-  for (const Row& row : rows)
-    out.panels.push_back(panel_of(row, length, axis_of(values, value, quantity.name), value.factor));
+  name_cases(out, cases);
+  for (const auto& [section, curves] : rows) {
+    Axis x = axis_of(curves.x, length, section.along());
+    x.label += " at " + section.label();
+    place(out.panels.emplace_back(), curves, x, y);
+  }
   return out;
 }
 

@@ -5,8 +5,8 @@
 #include "core/error.hpp"
 #include "stats/measure/spectra.hpp"
 #include "tools/measure/field_options.hpp"
+#include "tools/plot/curves.hpp"
 #include "tools/plot/measured.hpp"
-#include "tools/plot/series.hpp"
 
 namespace asperity::plot {
 namespace {
@@ -51,39 +51,6 @@ void add_profiles(Plane& plane, const Sample& sample, std::size_t c, bool severa
         {positive(profile_spectrum(sample, Axis1D::y, windows.y)), several ? c : 1, several});
 }
 
-// ---- scales ----
-
-struct Extent {
-  Range x{unlimited, 0}, y{unlimited, 0};
-
-  void add(double wave_number, double density) {
-    x = united(x, {wave_number, wave_number});
-    y = united(y, {density, density});
-  }
-  void pad() {
-    y.low = std::max(y.low, deepest * y.high);
-    x = {x.low / 1.15, x.high * 1.15};
-    y = {y.low / 1.6, y.high * 1.6};
-  }
-};
-
-Extent extent_of(const Plane& plane) {
-  Extent out;
-  for (const Trace& t : plane.traces)
-    for (const SpectrumPoint& p : t.points) out.add(p.wave_number, p.density);
-  // Beyond, the ends of hardly known densities would hide them all.
-  const double low = out.y.low / widest_interval, high = out.y.high * widest_interval;
-  for (const Trace& t : plane.traces)
-    for (const SpectrumPoint& p : t.points)
-      if (known(p))
-        for (const double end : {p.interval().low, p.interval().high})
-          out.add(p.wave_number, std::clamp(end, low, high));
-  return out;
-}
-
-// ---- layers ----
-
-using Flags = Eigen::Array<bool, Eigen::Dynamic, 1>;
 Flags known_of(const Trace& t) {
   return column_of(t.points, [](const SpectrumPoint& p) { return known(p) ? 1.0 : 0.0; }) > 0;
 }
@@ -95,14 +62,26 @@ Flags alone(const Flags& known) {
   return out;
 }
 
-void add_curves(Series to, const Trace& t) {
+// Of the densities and their intervals, but not of the ends of hardly known ones, which would hide all others.
+Range range_of(const Plane& plane) {
+  Range densities = nothing, out = nothing;
+  for (const Trace& t : plane.traces)
+    for (const SpectrumPoint& p : t.points) {
+      densities = united(densities, {p.density, p.density});
+      if (known(p)) out = united(out, {p.interval().low, p.interval().high});
+    }
+  return united(densities, {std::max(out.low, densities.low / widest_interval),
+                            std::min(out.high, densities.high * widest_interval)});
+}
+
+void add_trace(Curves& to, const Trace& t) {
   const std::string colour = line_colour(t.colour);
   const Flags with = known_of(t), single = alone(with);
-  const Series::Column x = column_of(t.points, [](const SpectrumPoint&p) { return p.wave_number; }),
-                       y = column_of(t.points, [](const SpectrumPoint&p) { return p.density; }),
+  const Curves::Column x = column_of(t.points, &SpectrumPoint::wave_number),
+                       y = column_of(t.points, &SpectrumPoint::density),
                        low = column_of(t.points, [](const SpectrumPoint&p) { return p.interval().low; }),
                        high = column_of(t.points, [](const SpectrumPoint&p) { return p.interval().high; });
-  to.band(x, where(with, low), high, colour);
+  to.band(x, where(with, low), high, colour, 0.2, false);
   to.line(x, where(with, y), colour, 1.5, t.dashed ? "(8,5)" : "");
   to.bars(x, 0.5 * (low + high), where(single, 0.5 * (high - low)), colour);
   to.dots(x, where(single, y), colour);
@@ -110,23 +89,24 @@ void add_curves(Series to, const Trace& t) {
 }
 
 Panel panel_of(const Plane& plane) {
-  Extent extent = extent_of(plane);
-  if (!(extent.y.high > 0)) throw DataError("psd", "no density is above zero: there is nothing to draw");
-  extent.pad();
-  const Unit x = cli::unit_for(extent.x.high, "rad m-1"), y = cli::unit_for(extent.y.high, plane.unit);
+  Curves curves;
+  for (const Trace& t : plane.traces) add_trace(curves, t);
+  Range y = range_of(plane);
+  if (!(y.high > 0)) throw DataError("psd", "no density is above zero: there is nothing to draw");
+  y = {std::max(y.low, deepest * y.high) / 1.6, y.high * 1.6};
+  const Range x{curves.x.low / 1.15, curves.x.high * 1.15};
+  Axis along = axis_of(x, cli::unit_for(x.high, "rad m-1"), "wave number"),
+       up = axis_of(y, cli::unit_for(y.high, plane.unit), plane.quantity);
+  along.logarithmic = up.logarithmic = true;
   Panel out;
-  out.x = axis_of(extent.x, x, "wave number");
-  out.y = axis_of(extent.y, y, plane.quantity);
-  out.x->logarithmic = out.y->logarithmic = true;
-  for (const Trace& t : plane.traces) add_curves({out, x.factor, y.factor}, t);
+  place(out, curves, along, up);
   return out;
 }
 
-std::vector<LegendEntry> legend_of(const std::vector<Plane>& planes, const Cases& cases) {
+void name_traces(Figure& figure, const std::vector<Plane>& planes, bool several) {
   using enum LegendEntry::Key;
-  std::vector<LegendEntry> out;
-  if (cases.size() > 1) {
-    for (std::size_t c = 0; c < cases.size(); ++c) out.push_back({line, line_colour(c), cases[c].label});
+  std::vector<LegendEntry>& out = figure.legend;
+  if (several) {
     if (std::ranges::any_of(planes.back().traces, &Trace::dashed))
       out.push_back({dashes, "black", "along y"});
   } else {
@@ -148,7 +128,6 @@ std::vector<LegendEntry> legend_of(const std::vector<Plane>& planes, const Cases
     out.push_back({dot, unsure, "error known"});
   if (some([](const Trace& t) { return !known_of(t).all(); }))
     out.push_back({circle, unsure, "no error known"});
-  return out;
 }
 
 }  // namespace
@@ -170,7 +149,8 @@ Figure psd(const Cases& cases, const Request& request) {
   planes.push_back(std::move(profiles));
   Figure out{.title = "95 % intervals", .aspect = 0.5, .gap_y = 4.8};
   for (const Plane& plane : planes) out.panels.push_back(panel_of(plane));
-  out.legend = legend_of(planes, cases);
+  name_cases(out, cases);
+  name_traces(out, planes, cases.size() > 1);
   return out;
 }
 

@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
+
+#include <gsl/gsl_interp2d.h>
 
 #include "core/error.hpp"
 #include "dataset/conventions.hpp"
@@ -13,18 +16,6 @@ namespace asperity::plot {
 namespace {
 
 constexpr Index fine_columns = 480, fine_rows = 320;
-
-// The place of a position among ascending points: the point before it and the weight of the next one.
-struct Place {
-  std::size_t before;
-  double share;
-};
-Place place_in(const std::vector<double>& points, double at) {
-  const auto after = std::ranges::upper_bound(points, at);
-  const auto last = static_cast<std::ptrdiff_t>(points.size()) - 2;
-  const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - points.begin() - 1, 0, last));
-  return {k, std::clamp((at - points[k]) / (points[k + 1] - points[k]), 0.0, 1.0)};
-}
 
 // In SI; missing values are NaN.
 std::vector<double> present_values(const Variable& variable) {
@@ -64,20 +55,14 @@ Field section_values(const Dataset& data, const Variable& variable, const Sectio
 
 // Linear between depths and between cells, on an even lattice: depths may be spaced unevenly.
 Field resampled(const Field& values, const std::vector<double>& along, const std::vector<double>& depths,
-                Range position, Range depth) {
-  Field out(fine_columns, fine_rows);
-  for (Index r = 0; r < fine_rows; ++r) {
-    const Place z = place_in(depths, depth.low + (static_cast<double>(r) + 0.5) * depth.width() / fine_rows);
-    const auto k = static_cast<Index>(z.before);
-    for (Index c = 0; c < fine_columns; ++c) {
-      const Place s =
-          place_in(along, position.low + (static_cast<double>(c) + 0.5) * position.width() / fine_columns);
-      const auto i = static_cast<Index>(s.before);
-      out(c, r) = (1 - z.share) * ((1 - s.share) * values(k, i) + s.share * values(k, i + 1)) +
-                  z.share * ((1 - s.share) * values(k + 1, i) + s.share * values(k + 1, i + 1));
-    }
-  }
-  return out;
+                const Patch& shown) {
+  const std::unique_ptr<gsl_interp2d, void (*)(gsl_interp2d*)> linear(
+      gsl_interp2d_alloc(gsl_interp2d_bilinear, along.size(), depths.size()), gsl_interp2d_free);
+  gsl_interp2d_init(linear.get(), along.data(), depths.data(), values.data(), along.size(), depths.size());
+  return Field::NullaryExpr(fine_columns, fine_rows, [&](Index c, Index r) {
+    return gsl_interp2d_eval_extrap(linear.get(), along.data(), depths.data(), values.data(), shown.x_at(c),
+                                    shown.y_at(r), nullptr, nullptr);
+  });
 }
 
 // The largest magnitude among the values at cells and depths within a range, and where it is.
@@ -115,7 +100,8 @@ Cut cut_of(const Dataset& data, const std::string& variable, const Grid& grid, c
                                  section.along_x ? "x-range" : "y-range"),
               depth = part_of({depths.front(), depths.back()}, request.depth, "depth-range");
   const Field values = section_values(data, data.at(variable), section);
-  const Patch patch{resampled(values, along, depths, position, depth), position, depth};
+  Patch patch{Field(fine_columns, fine_rows), position, depth};
+  patch.values = resampled(values, along, depths, patch);
   return {patch, largest_of(values, along, depths, patch)};
 }
 

@@ -130,6 +130,24 @@ Range range_of(const std::vector<Patch>& patches) {
   return out;
 }
 
+Field in_blocks(const Field& points, Shape number, Block shown) {
+  const Index nx = points.rows(), ny = points.cols();
+  if (number == Shape{nx, ny}) return points;
+  return Field::NullaryExpr(number.nx, number.ny, [&](Index i, Index j) {
+    const Index x = i * nx / number.nx, y = j * ny / number.ny;
+    const auto block = points.block(x, y, (i + 1) * nx / number.nx - x, (j + 1) * ny / number.ny - y);
+    if (shown == Block::middle) return block(block.rows() / 2, block.cols() / 2);
+    const auto there = block.isFinite();
+    if (!there.any()) return std::numeric_limits<double>::quiet_NaN();
+    if (shown == Block::largest) return there.select(block, -unlimited).maxCoeff();
+    return there.select(block, 0).sum() / static_cast<double>(there.count());
+  });
+}
+
+Shape blocks_in(const Field& points, Shape size) {
+  return {(points.rows() + size.nx - 1) / size.nx, (points.cols() + size.ny - 1) / size.ny};
+}
+
 std::string Level::words() const {
   return number.empty() ? "" : fmt::format(" above {}{}", value < 0 ? "−" : "", number);
 }
@@ -217,6 +235,12 @@ Range value_range(const Request& request, const std::string& unit, Range present
                 "contains no value: give a part of " + in_words(present.low, unit) + " to " +
                     in_words(present.high, unit));
   return {low, high};
+}
+
+Axis value_axis(const Request& request, Range present, Range otherwise, const Quantity& quantity,
+                std::string_view name) {
+  const Range range = value_range(request, quantity.unit, present, otherwise);
+  return axis_of(range, unit_for(range.magnitude(), quantity.unit), name);
 }
 
 Range part_of(Range present, Range asked, const char* option) {

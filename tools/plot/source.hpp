@@ -40,6 +40,13 @@ Quantity shared(const std::vector<Quantity>& all, const Cases& cases, const std:
 Patch patch_of(const Dataset& data, const std::string& variable, const Request& request);
 std::vector<Patch> patches_of(const Cases& cases, const std::string& variable, const Request& request);
 Range range_of(const std::vector<Patch>& patches);
+
+/// What is shown of a block of points: of those that are there, or the point in the middle.
+enum class Block { mean, largest, middle };
+/// So many blocks, whose sides differ by a point where they must; NaN of those without a point.
+Field in_blocks(const Field& points, Shape number, Block shown);
+/// The number of blocks of this size.
+Shape blocks_in(const Field& points, Shape size);
 /// The largest magnitude of the coordinates shown [m].
 double reach(const Patch& patch);
 /// The positions of its cells in these units.
@@ -75,6 +82,10 @@ double hertz_pressure(const Dataset& data);
 /// The value range requested, in SI, or `otherwise`; throws ParameterError("range", …) where it contains none
 /// of the values from `present.low` to `present.high`.
 Range value_range(const Request& request, const std::string& unit, Range present, Range otherwise);
+
+/// The axis of this range of values.
+Axis value_axis(const Request& request, Range present, Range otherwise, const Quantity& quantity,
+                std::string_view name);
 
 /// Limits colours to the range requested: of values, or from "1%:99%" of those shares of them. Without a
 /// request they are limited to the shares from 0.5 to 99.5 % where these take less than an eighth of the

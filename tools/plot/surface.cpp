@@ -14,34 +14,20 @@ namespace {
 constexpr Index most_points = 128;     // along a side: more are not legible on paper
 constexpr double height_share = 0.22;  // of the longer side that the range of values should take
 
-// "2nd", "3rd", "11th".
-std::string ordinal(Index n) {
-  const Index last = n / 10 % 10 == 1 ? 0 : n % 10;
-  return std::to_string(n) + (last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th");
-}
-
-// Keeps at least two points along a side.
-Patch thinned(const Patch& patch, Index most) {
-  const Index rows = patch.values.rows(), columns = patch.values.cols();
-  const Index along_x = std::min(most, rows - 1), along_y = std::min(most, columns - 1);
-  const Index nx = (rows + along_x - 1) / along_x, ny = (columns + along_y - 1) / along_y;
-  const double step_x = patch.dx() * static_cast<double>(along_x),
-               step_y = patch.dy() * static_cast<double>(along_y);
-  const double x0 = patch.x_at(0) - 0.5 * step_x, y0 = patch.y_at(0) - 0.5 * step_y;
-  return {
-      Field::NullaryExpr(nx, ny, [&](Index i, Index j) { return patch.values(i * along_x, j * along_y); }),
-      {x0, x0 + step_x * static_cast<double>(nx)},
-      {y0, y0 + step_y * static_cast<double>(ny)}};
-}
-
-// The stride that leaves at most `most_points` points along a side.
-Index stride_of(const std::string& variable, const Field& values) {
+// The side of blocks of which at most `most_points` lie along a side of the field.
+Index block_of(const std::string& variable, const Field& values) {
   const Index nx = values.rows(), ny = values.cols();
   if (nx < 2 || ny < 2)
     throw DataError(variable, fmt::format("a perspective view needs at least 2 x 2 points, found {} x {}: "
                                           "draw a map or a profile",
                                           nx, ny));
   return (std::max(nx, ny) + most_points - 1) / most_points;
+}
+
+// Two blocks at least along a side.
+Field thinned(const Field& values, Index block) {
+  const Shape number = blocks_in(values, {block, block});
+  return in_blocks(values, {std::max<Index>(number.nx, 2), std::max<Index>(number.ny, 2)}, Block::mean);
 }
 
 // A patch is drawn where four neighbouring points are there.
@@ -55,35 +41,13 @@ void require_a_cell(const std::string& variable, const Field& values) {
                     "there: draw a map");
 }
 
-// Midway between the multiples of the step.
-Tics tics_between(Range shown, double step) {
-  Tics out;
-  for (const double v : multiples({shown.low - step / 2, shown.high - step / 2}, step))
-    out.push_back({v + step / 2, brief(v + step / 2)});
-  return out;
-}
-
-// Multiples of the step; if only one fits, the midpoints between multiples, of a step down to half of the
-// range, so that the axis has two numbers. Their places are in plotted units.
-Tics height_tics(Range values, double step, double scale, const Unit& unit) {
-  const Range shown = values / unit.factor;
-  const double decade = std::pow(10, std::floor(std::log10(shown.width())));
-  Tics out = tics_at(shown, step);
-  if (out.size() < 2) out = tics_between(shown, step);
-  for (const double digit : {8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0, 0.8, 0.6, 0.5})
-    if (const double finer = digit * decade; out.size() < 2 && finer < step && 2 * finer >= shown.width())
-      out = tics_between(shown, finer);
-  for (Tic& t : out) t.at *= unit.factor * scale;
-  return out;
-}
-
 // All cases as drawn: thinned alike, on one scale.
 struct Relief {
   std::vector<Patch> patches;
   Quantity quantity;
   Level level = {};  ///< that the values are measured from
   Range values = {};
-  Index stride = 1;
+  Index block = 1;               ///< of so many points a side
   double factor = 1;             ///< plotted metres per unit of the quantity: 1, 2 or 5 × 10ⁿ
   Unit length = {}, value = {};  ///< of the axes
 
@@ -99,14 +63,13 @@ Relief relief_of(const Cases& cases, const Request& request) {
   const std::string variable = request.variable_or("heights");
   const Quantity quantity = quantity_of(cases, variable);
   Relief out{.patches = patches_of(cases, variable, request), .quantity = quantity};
-  for (const Patch& p : out.patches) out.stride = std::max(out.stride, stride_of(variable, p.values));
+  for (const Patch& p : out.patches) out.block = std::max(out.block, block_of(variable, p.values));
   out.values =
       request.range.empty() ? range_of(out.patches) : field_colours(out.patches, quantity, request).range;
   out.level = level_of(out.patches, out.values, quantity);
   out.values = {out.values.low - out.level.value, out.values.high - out.level.value};
   for (Patch& p : out.patches) {
-    p = thinned(p, out.stride);
-    p.values -= out.level.value;
+    p.values = thinned(p.values, out.block) - out.level.value;
     require_a_cell(variable, p.values);
   }
   if (!(drawable(out.values) == out.values)) {  // one value everywhere: a plane amid some room
@@ -115,6 +78,12 @@ Relief relief_of(const Cases& cases, const Request& request) {
   }
   const double side = std::max(out.patches[0].x.width(), out.patches[0].y.width());
   out.factor = round_step(0.7 * (height_share * side / std::max(out.values.width(), 1e-300)), 1);
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    if (const Patch& p = out.patches[c]; out.factor * out.values.width() > std::max(p.x.width(), p.y.width()))
+      throw DataError(variable,
+                      fmt::format("of {} is too small beside the others for one scale: draw it "
+                                  "apart",
+                                  cases[c].label));
   out.length = unit_for(reach(out.patches[0]), "m");
   out.value = unit_for(out.values.magnitude(), out.quantity.unit);
   return out;
@@ -155,18 +124,23 @@ struct View {
   }
 };
 
-// The step of the height axis: numbers at least 0.8 em apart. There is room for two or three numbers, so the
-// choice is finer than round_step's.
-double step_of_heights(const View& view) {
+// Two or three where there is room, 0.8 em apart; their places are in plotted units.
+Tics tics_of_heights(const View& view) {
   const Relief& relief = view.relief;
-  const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * view.ems;
-  const double side = view.side() / relief.length.factor;
-  const double most = std::clamp(seen * relief.values.width() * relief.scale() / side / 0.8, 1.5, 4.0);
-  const double least = relief.values.width() / relief.value.factor / most;
-  const double decade = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
-    if (factor * decade >= least) return factor * decade;
-  return 10 * decade;
+  const double seen = 0.6 * std::sin(50 * std::numbers::pi / 180) * view.ems,
+               side = view.side() / relief.length.factor,
+               most = std::clamp(seen * relief.values.width() * relief.scale() / side / 0.8, 1.5, 4.0);
+  const Range shown = relief.values / relief.value.factor;
+  const double step = round_step(shown.width(), most);
+  Tics out = tics_at(shown, step);
+  if (out.size() < 2) {  // midway between
+    out.clear();
+    for (const double v : multiples({shown.low - step / 2, shown.high - step / 2}, step))
+      out.push_back({v + step / 2, brief(v + step / 2)});
+  }
+  if (out.size() < 2) out = two_at_least(shown, step, 0.5);
+  for (Tic& t : out) t.at *= relief.value.factor * relief.scale();
+  return out;
 }
 
 // Numbers of x stand beside each other or one below the next, those of y below each other. The lowest of y
@@ -200,7 +174,7 @@ Script axes_of(const View& view, const Layout& layout, bool leftmost) {
   for (const auto& [name, range] : {std::pair{"x", x}, {"y", y}, {"z", z}})
     script.line("set {}range [{}:{}]", name, range.low, range.high);
   const Tics of_y = tics_of_y(view, unit);
-  Tics of_z = height_tics(relief.values, step_of_heights(view), scale, relief.value);
+  Tics of_z = tics_of_heights(view);
   script.line("{} offset 0,-0.3", command("x", tics_of_x(view, unit)));
   script.line("{} offset 0.4,-0.2", command("y", of_y));
   const auto middle = [](Range r) { return 0.5 * (r.low + r.high); };
@@ -230,7 +204,7 @@ Figure surface(const Cases& cases, const Request& request) {
   out.title = relief.quantity.name;
   if (relief.quantity.unit == "m") out.title += fmt::format(" × {:.6g}", relief.factor);
   out.title += colours.words;
-  if (relief.stride > 1) out.title += fmt::format(", every {} point", ordinal(relief.stride));
+  if (relief.block > 1) out.title += fmt::format(", means of {0} × {0} points", relief.block);
   out.in_space = true;
   out.aspect = 0.72;
   out.left = 6.4, out.right = 4, out.bottom = 3.2, out.top = 1.6;

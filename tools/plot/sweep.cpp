@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "dataset/units.hpp"
-#include "tools/plot/series.hpp"
+#include "tools/plot/curves.hpp"
 #include "tools/plot/source.hpp"
 #include "tools/plot/table.hpp"
 
@@ -28,7 +28,7 @@ Errors errors_of(const Dataset& table, const std::string& name) {
 struct Sweep {
   Eigen::ArrayXd load, approach, area;
   Errors of_approach, of_area;
-  Eigen::Array<bool, Eigen::Dynamic, 1> converged;
+  Flags converged;
 
   /// What its errors are, "" of none.
   std::string words() const {
@@ -49,75 +49,57 @@ Sweep sweep_of(const Dataset& data) {
           errors_of(data, "approach"), errors_of(data, area),    column(data, "converged") != 0};
 }
 
-Range range_of_all(const Eigen::ArrayXd& values, const Eigen::ArrayXd& half) {
-  const Eigen::ArrayXd by = half.isFinite().select(half, 0.0);
-  Field both(values.size(), 2);
-  both << values - by, values + by;
-  return range_of(both);
-}
-
-Range with_room(Range r, bool from_zero) {
-  const double room = 0.05 * r.width();
-  return {from_zero ? 0 : r.low - room, r.high + room};
-}
-
-bool spans_a_decade(Range range, double least) { return least > 0 && range.high >= 10 * least; }
-
-// Of a quantity that is never negative.
-Axis axis_of_growth(Range range, double least, bool logarithmic, const Unit& unit, std::string_view name) {
-  if (!logarithmic) return axis_of(with_room(range, true), unit, name);
-  Axis out = axis_of({std::max(0.9 * range.low, 0.5 * least), 1.15 * range.high}, unit, name);
-  out.logarithmic = true;
-  return out;
-}
-
-void add_curve(Series to, const Sweep& of, const Series::Column& x, const Series::Column& y,
-               const Series::Column& half, std::size_t colour, bool across) {
+void add_curve(Curves& to, const Sweep& of, const Curves::Column& x, const Curves::Column& y,
+               const Curves::Column& half, std::size_t colour, bool across) {
   to.line(x, y, line_colour(colour));
   to.bars(x, y, where(half > 0, half), line_colour(colour), across);
   to.dots(x, y, line_colour(colour), 0.4);
   to.dots(x, where(!of.converged, y), "white", 0.22);
 }
 
+bool spans_a_decade(Range range, double least) { return least > 0 && range.high >= 10 * least; }
+
+double least_of(const Eigen::ArrayXd& values) {
+  return values.isFinite().select(values, unlimited).minCoeff();
+}
+
+// Of a quantity that is never negative; `least` without its error.
+Axis axis_of_growth(Range range, double least, bool logarithmic, const char* unit, std::string_view name) {
+  const Range shown = logarithmic ? Range{std::max(0.9 * range.low, 0.5 * least), 1.15 * range.high}
+                                  : Range{0, with_room(range, 0, 0.05).high};
+  Axis out = axis_of(shown, cli::unit_for(range.high, unit), name);
+  out.logarithmic = logarithmic;
+  return out;
+}
+
 }  // namespace
 
 Figure sweep(const Cases& cases, const Request&) {
   std::vector<Sweep> all;
-  Range load{unlimited, -unlimited}, approach = load, area = load;
-  double least_load = unlimited, least_area = unlimited;
-  for (const Case& c : cases) {
-    const Sweep& s = all.emplace_back(sweep_of(c.data));
+  Curves press, grow;
+  double least = unlimited;
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Sweep& s = all.emplace_back(sweep_of(cases[c].data));
     if (!(s.load.isFinite() && s.approach.isFinite() && s.area.isFinite()).any())
       throw DataError("load", "no row of the table has a load, an approach and an area");
-    const Eigen::ArrayXd exact = Eigen::ArrayXd::Zero(s.load.size());
-    load = united(load, range_of_all(s.load, exact));
-    approach = united(approach, range_of_all(s.approach, s.of_approach.half));
-    area = united(area, range_of_all(s.area, s.of_area.half));
-    least_load = std::min(least_load, range_of_all(s.load, exact).low);
-    least_area = std::min(least_area, range_of_all(s.area, exact).low);
+    least = std::min(least, least_of(s.area));
+    add_curve(press, s, s.approach, s.load, s.of_approach.half, c, true);
+    add_curve(grow, s, s.load, s.area, s.of_area.half, c, false);
   }
-  const Unit newtons = cli::unit_for(load.high, "N"), metres = cli::unit_for(approach.magnitude(), "m"),
-             squares = cli::unit_for(area.high, "m2");
-  Figure out{.aspect = 0.45, .gap_y = 4.8};
-  Panel press, grow;
-  press.x = axis_of(with_room(approach, false), metres, "approach");
-  press.y = axis_of(with_room(load, true), newtons, "load");
-  const bool decades = spans_a_decade(load, least_load) && spans_a_decade(area, least_area);
-  grow.x = axis_of_growth(load, least_load, decades, newtons, "load");
-  grow.y = axis_of_growth(area, least_area, decades, squares, "contact area");
-  using enum LegendEntry::Key;
+  const bool decades = spans_a_decade(grow.x, grow.x.low) && spans_a_decade(grow.y, least);
+  const Unit metres = cli::unit_for(press.x.magnitude(), "m");
+  Figure out{.panels = {{}, {}}, .aspect = 0.45, .gap_y = 4.8};
+  place(out.panels[0], press, axis_of(with_room(press.x, 0.05, 0.05), metres, "approach"),
+        axis_of_growth(press.y, 0, false, "N", "load"));
+  place(out.panels[1], grow, axis_of_growth(grow.x, grow.x.low, decades, "N", "load"),
+        axis_of_growth(grow.y, least, decades, "m2", "contact area"));
   const bool one_kind = std::ranges::all_of(all, [&](const Sweep& s) { return s.words() == all[0].words(); });
-  for (std::size_t c = 0; c < all.size(); ++c) {
-    const Sweep& s = all[c];
-    add_curve({press, metres.factor, newtons.factor}, s, s.approach, s.load, s.of_approach.half, c, true);
-    add_curve({grow, newtons.factor, squares.factor}, s, s.load, s.area, s.of_area.half, c, false);
-    const std::string errors = s.words(), own = one_kind || errors.empty() ? "" : ", " + errors;
-    if (all.size() > 1) out.legend.push_back({line, line_colour(c), cases[c].label + own});
-  }
   if (one_kind) out.title = all[0].words();
+  name_cases(out, cases);
+  for (std::size_t c = 0; c < out.legend.size() && !one_kind; ++c)
+    if (const std::string errors = all[c].words(); !errors.empty()) out.legend[c].name += ", " + errors;
   if (std::ranges::any_of(all, [](const Sweep& s) { return !s.converged.all(); }))
-    out.legend.push_back({circle, "black", "not converged"});
-  out.panels = {press, grow};
+    out.legend.push_back({LegendEntry::Key::circle, "black", "not converged"});
   return out;
 }
 

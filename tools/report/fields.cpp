@@ -32,30 +32,6 @@ bool whole(const Variable& v) {
   return !real && !v.attributes.find("scale_factor") && !v.attributes.find("add_offset");
 }
 
-double mean_of(const Field& block) {
-  const auto there = block.isFinite();
-  return there.any() ? there.select(block, 0).sum() / static_cast<double>(there.count())
-                     : std::numeric_limits<double>::quiet_NaN();
-}
-
-// The points of block k of `blocks`, whose lengths differ by one where they must.
-struct Block {
-  Index first, count;
-
-  Block(Index k, Index points, Index blocks)
-      : first(k * points / blocks), count((k + 1) * points / blocks - first) {}
-  Index middle() const { return first + count / 2; }
-};
-
-Field block_values(const Field& points, Shape to, bool middle) {
-  if (points.rows() == to.nx && points.cols() == to.ny) return points;
-  return Field::NullaryExpr(to.nx, to.ny, [&](Index i, Index j) {
-    const Block x(i, points.rows(), to.nx), y(j, points.cols(), to.ny);
-    return middle ? points(x.middle(), y.middle())
-                  : mean_of(points.block(x.first, y.first, x.count, y.count));
-  });
-}
-
 // ---- data for the script ----
 
 std::string data_of(std::string_view css_class, const plot::Quantity& quantity, const plot::Unit& unit,
@@ -123,12 +99,10 @@ Volume volume_of(const Dataset& data) {
   const Variable& v = data.at("von_mises");
   const std::vector<double> all = present_numbers(v);
   for (Index k = 0; k < nz; ++k)
-    for (Index i = 0, cell = 0; i < out.shape.nx; ++i)
-      for (Index j = 0; j < out.shape.ny; ++j) {
-        const Index at =
-            (k * nx + Block(i, nx, out.shape.nx).middle()) * ny + Block(j, ny, out.shape.ny).middle();
-        out.values(k, cell++) = all[static_cast<std::size_t>(at)];
-      }
+    out.values.row(k) =
+        plot::in_blocks(Eigen::Map<const Field>(&all[static_cast<std::size_t>(k * nx * ny)], nx, ny),
+                        out.shape, plot::Block::middle)
+            .reshaped<Eigen::RowMajor>();
   out.values *= factor_to("Pa", v);
   return out;
 }
@@ -221,7 +195,8 @@ Dataset in_blocks(const Dataset& data, const std::vector<std::string>& names, In
   set_grid(out, grid);
   for (const std::string& name : names) {
     const Variable& v = data.at(name);
-    const Field values = block_values(field_of(data, name, Missing::not_a_number), grid.shape, whole(v));
+    const Field values = plot::in_blocks(field_of(data, name, Missing::not_a_number), grid.shape,
+                                         whole(v) ? plot::Block::middle : plot::Block::mean);
     Variable reduced{
         name, v.dimensions, std::vector<double>(values.data(), values.data() + values.size()), {}};
     reduced.attributes.set("units", si_unit_of(v));

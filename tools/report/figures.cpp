@@ -177,20 +177,14 @@ std::string svg_of(const plot::Figure& figure, const plot::Request& request, con
 }
 
 std::string drawn(const Content& c, const plot::Cases& cases, const Wanted& w, bool with_symbols) {
-  const Dataset& data = cases[0].data;
   plot::Request request;
   request.variable = w.variable;
   request.section = w.section;
   request.format = w.kind == Kind::image ? "png" : "svg";
-  plot::Figure figure = w.describe(cases, request);
+  request.most_blocks = most_of_map;
+  const plot::Figure figure = w.describe(cases, request);
   const std::string words = description(c, w, figure);
   if (w.kind == Kind::image) return image_of(figure, request, words);
-  if (w.kind == Kind::map && std::max(data.length("x"), data.length("y")) > most_of_map) {
-    request.titled = true;
-    request.title =
-        w.describe == plot::contact ? "points in the middle of blocks" : "means over blocks of points";
-    figure = w.describe({{in_blocks(data, {w.variable}, most_of_map), ""}}, request);
-  }
   return svg_of(figure, request, words, w.kind, with_symbols);
 }
 
