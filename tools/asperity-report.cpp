@@ -111,8 +111,8 @@ int report_on(cli::Tool& tool, const Options& o) {
   const std::string reference = reference_of(o.measured.asked);
   const plot::Cases as_measured = measured_case(data, {sample, groups}, reference != "the mean");
   cli::write_all(o.output, report::page({dataset, as_measured, title_of(tool, o.title), o.measured.variable,
-                                         reference, groups, sample ? too_few(sample->size()) : "",
-                                         no_grid_errors, report::fields_of(data, o.measured.variable)}));
+                                         reference, groups, tool.warnings(), no_grid_errors,
+                                         report::fields_of(data, o.measured.variable)}));
   return cli::done;
 }
 

@@ -92,6 +92,13 @@ void set_energies(GridErrors& out, const Grid& grid, const Contact& contact, con
 
 }  // namespace
 
+std::string too_few_cells(const Grid& grid, const Contact& contact) {
+  const Index touching = std::lround(contact.area / (grid.dx * grid.dy));
+  if (touching >= least_cells) return "";
+  return fmt::format("{} in contact, and errors need {}: refine the grid", counted(touching, "cell"),
+                     least_cells);
+}
+
 bool has_coarser_contacts(Shape shape) {
   return shape.nx % 4 == 0 && shape.ny % 4 == 0 && std::min(shape.nx, shape.ny) >= 4 * least_coarse_side;
 }
@@ -107,10 +114,8 @@ CoarserContacts coarser_contacts(const Grid& grid, const Field& undeformed_gap, 
                               text(grid.shape), 4 * least_coarse_side);
     return out;
   }
-  if (const Index touching = (contact.pressure > 0).count(); touching < least_cells) {
-    out.unknown = fmt::format("{} in contact, and errors need {}: refine the grid", counted(touching, "cell"), least_cells);
-    return out;
-  }
+  out.unknown = too_few_cells(grid, contact);
+  if (!out.unknown.empty()) return out;
   const Stopwatch watch;
   ContactParameters coarse = parameters;
   coarse.tolerance = coarse_residual;

@@ -53,6 +53,8 @@ struct CoarserContacts {
 
 /// The sides that (1) needs: multiples of four, of 48 cells at least.
 bool has_coarser_contacts(Shape shape);
+/// Why no error of the grid can be given for a contact of so few cells, of its area neither; "" of more.
+std::string too_few_cells(const Grid& grid, const Contact& contact);
 
 /// Of a solved contact and what it was solved with, under its own load. Nothing is thrown: `unknown` says
 /// why there are none.

@@ -156,6 +156,13 @@ TEST_CASE("errors of areas are free, the others come when asked for, and not tho
   CHECK(plain.number("contact_area_error", 0) > 0);
   CHECK(plain.number("contact_area_corrected_error", 0) > 0);
   CHECK_FALSE(holds(plain, "max_pressure_error"));
+  // Four cells in contact: no error of their area either.
+  const Attributes few = attributes_of(
+      "asperity-contact --smooth --shape 32x32 --size 1mm --radius 20mm --young 210GPa --poisson 0.3 --load "
+      "0.1N ");
+  CHECK(few.number("contact_area", 0) > 0);
+  CHECK_FALSE(holds(few, "area_error"));
+  CHECK_FALSE(holds(few, "area_corrected_error"));
   require(band_limited + ball + "--add grid_errors,contact_stiffness -o asked.nc");
   const Attributes asked = attributes_in("asked.nc");
   for (const std::string name : {"approach", "max_pressure", "plastic_area", "mean_gap", "stiffness"}) {

@@ -256,18 +256,18 @@ class EnsembleInput::Visits {
     const std::string both = "its grid, " + described(one.grid) + ", differs from that of " + first_->file +
                              ", " + described(first_->grid);
     if (!same_spacing(one.grid, first_->grid))
-      throw DataError(one.file,
-                      both +
-                          ": parameters depend on the spacing and cannot be averaged; measure the surfaces "
-                          "separately, or thin the finer one (asperity-filter --decimate)");
+      throw DataError(
+          one.file,
+          both +
+              ": parameters depend on the spacing and cannot be averaged or compared; measure the surfaces "
+              "separately, or thin the finer one (asperity-filter --decimate)");
     if (warned_ || same_grid(one.grid, first_->grid)) return;
     if (!several_.on_one_grid.empty())
       throw DataError(one.file, both + ": " + several_.on_one_grid + " needs surfaces of one grid");
     warned_ = true;
     tool.warn(
         one.file + ": " + both +
-        ": extremes, correlation lengths and all errors depend on the size, but each surface has the same "
-        "weight in the mean");
+        ": extremes, correlation lengths and all errors depend on the size, and each surface counts alike");
   }
 
   const Several& several_;

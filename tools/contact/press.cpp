@@ -91,6 +91,10 @@ GridFigures grid_figures(const ContactOptions& options, const ContactScene& scen
   GridFigures out{around.perimeter(grid),
                   corrected_area(grid, contact, around, options.contact.limit_pressure)};
   if (scene.growth.resolved() == Resolved::no || !contact.converged) return out;
+  if (const std::string few = too_few_cells(grid, contact); !few.empty()) {
+    if (options.adds("grid_errors")) out.unknown = few;
+    return out;
+  }
   out.errors.area = area_excess(grid, around);
   out.errors.area_corrected = corrected_area_error(grid, contact, around);
   if (!options.adds("grid_errors")) return out;

@@ -54,7 +54,7 @@ Index zero_of(const Column& lags, const char* name) {
   return at;
 }
 
-// Of a function over the half-plane of lags, divided by its value at lag zero; NaN is beyond the target's table.
+// Of a function over the half-plane of lags, divided by its value at lag zero; NaN is beyond its table.
 void read_profiles(const Dataset& data, const char* name, Profile (&out)[2], bool& in_metres) {
   const Field table = table_of(data, name, "", Missing::not_a_number);
   const Column p = lags_of(data, "p", in_metres), q = lags_of(data, "q", in_metres);

@@ -1,8 +1,8 @@
-/// The curves of a panel in SI, in the order in which they are drawn; the range of their numbers, from which the
-/// axes follow, and the layers on these axes.
+/// The curves of a panel in SI, in the order in which they are drawn; the range of their numbers, from which
+/// the axes follow, and the layers on these axes.
 ///
-/// A number that is not finite breaks lines and bands, and leaves out dots and bars; but a line to ±`unlimited`
-/// goes to the end of its axis, where bands end too.
+/// A number that is not finite breaks lines and bands, and leaves out dots and bars; but a line to
+/// ±`unlimited` goes to the end of its axis, where bands end too.
 #pragma once
 
 #include <functional>
@@ -30,8 +30,8 @@ class Curves {
   /// Upright, or where `across` along x.
   void bars(const Column& x, const Column& y, const Column& half, const std::string& colour,
             bool across = false);
-  /// Columns in any other style of gnuplot, each of the axis that its letter names. Those of capital letters are
-  /// lengths, or others that the ranges do not count.
+  /// Columns in any other style of gnuplot, each of the axis that its letter names. Those of capital letters
+  /// are lengths, or others that the ranges do not count.
   void add(const Field& columns, const std::string& axes, const std::string& style);
 
   std::vector<Layer> layers(const Axis& of_x, const Axis& of_y) const;

@@ -14,7 +14,7 @@ constexpr struct {
   const char *colour, *name;
 } states[] = {{"#ecece6", "open"}, {"#4d9fd6", "elastic"}, {"#a3123a", "at the limit"}};
 
-// Blocks of so many points along x and y, of which each pixel shows one; SVG and PDF are looked at enlarged too.
+// The points of a pixel along x and y; SVG and PDF are looked at enlarged too.
 Shape block_of(const Patch& p, const Layout& layout, const Request& request) {
   const double scale = request.format == "png" ? 1 : 4, most = static_cast<double>(request.most_blocks);
   auto per_pixel = [&](Index points, double pixels) {

@@ -62,7 +62,7 @@ Flags alone(const Flags& known) {
   return out;
 }
 
-// Of the densities and their intervals, but not of the ends of hardly known ones, which would hide all others.
+// Of the densities and their intervals, but not the ends of hardly known ones, which would hide all others.
 Range range_of(const Plane& plane) {
   Range densities = nothing, out = nothing;
   for (const Trace& t : plane.traces)

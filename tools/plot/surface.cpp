@@ -80,10 +80,9 @@ Relief relief_of(const Cases& cases, const Request& request) {
   out.factor = round_step(0.7 * (height_share * side / std::max(out.values.width(), 1e-300)), 1);
   for (std::size_t c = 0; c < cases.size(); ++c)
     if (const Patch& p = out.patches[c]; out.factor * out.values.width() > std::max(p.x.width(), p.y.width()))
-      throw DataError(variable,
-                      fmt::format("of {} is too small beside the others for one scale: draw it "
-                                  "apart",
-                                  cases[c].label));
+      throw DataError(variable, fmt::format("of {} is too small beside the others for one scale: draw it "
+                                            "apart",
+                                            cases[c].label));
   out.length = unit_for(reach(out.patches[0]), "m");
   out.value = unit_for(out.values.magnitude(), out.quantity.unit);
   return out;

@@ -210,7 +210,7 @@ std::string body(const Content& c) {
   const std::string tiles =
       tiles_of_surface(c) + tiles_of_contact(data.attributes) + tiles_of_stress(data.attributes);
   return element("header", element("h1", escaped(c.title)) + element("p", escaped(what_it_is(c)), "soft")) +
-         "<main>\n" + warnings(data, c.untold) + element("dl", tiles, "tiles") +
+         "<main>\n" + warnings(data, c.warned) + element("dl", tiles, "tiles") +
          fmt::format("<nav aria-label=\"Sections\">\n{}</nav>\n{}</main>\n", links, content) + foot(data);
 }
 

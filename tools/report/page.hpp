@@ -23,9 +23,9 @@ struct Content {
   const plot::Cases& dataset;   ///< one
   const plot::Cases& measured;  ///< the same with the field as it was measured, form removed and filtered
   std::string title, variable;
-  std::string reference;      ///< of heights, in words
-  std::vector<Group> groups;  ///< none: the dataset has no such field
-  std::string untold;         ///< why standard errors are missing; "" if they are given
+  std::string reference;                   ///< of heights, in words
+  std::vector<Group> groups;               ///< none: the dataset has no such field
+  const std::vector<std::string>& warned;  ///< of the measurements
   NoGridErrors no_grid_errors = {};
   std::vector<std::string> fields = {};  ///< that the live field shows, `variable` first
 };

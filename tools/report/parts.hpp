@@ -25,9 +25,9 @@ std::string value_text(double value, double error, const std::string& unit);
 bool at_limit(const Attributes& a);
 
 /// What every tool warned of, and what attributes tell where a dataset lacks the words: solvers that have not
-/// converged, changed targets, stress above yield, layers that the grid does not resolve. `untold`: why the
-/// page has no standard errors.
-std::string warnings(const Dataset& data, const std::string& untold);
+/// converged, changed targets, stress above yield, layers that the grid does not resolve. `own`: of the
+/// measurements on the page.
+std::string warnings(const Dataset& data, const std::vector<std::string>& own);
 
 /// All pictures that the dataset allows, and the reasons why others are missing. Those of the field stand in
 /// for the live field without a script and on paper.

@@ -83,7 +83,7 @@ void warn_of_stress(Warnings& out, const Dataset& data) {
 
 }  // namespace
 
-std::string warnings(const Dataset& data, const std::string& untold) {
+std::string warnings(const Dataset& data, const std::vector<std::string>& own) {
   Warnings out;
   for (const Attribute& a : data.attributes)
     if (a.name.ends_with(warnings_of)) {
@@ -93,7 +93,7 @@ std::string warnings(const Dataset& data, const std::string& untold) {
     }
   warn_of_solvers(out, data.attributes);
   warn_of_stress(out, data);
-  if (!untold.empty()) out.add("report", "no standard errors and intervals can be given: " + untold);
+  for (const std::string& line : own) out.add("report", line);
   if (out.number == 0) return "";
   return fmt::format(
       "<section class=\"warnings\" aria-labelledby=\"warnings\"><h2 id=\"warnings\">{}</h2>\n"
