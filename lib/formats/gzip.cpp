@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 #include <zlib.h>
 
-#include "dataset/bytes.hpp"
 #include "formats/refuse.hpp"
 
 namespace asperity {
@@ -75,6 +75,20 @@ std::string inflated(std::string_view bytes, std::size_t size, Wrapper wrapper) 
   }
   if (!inflater.ends()) refuse("the {} data are damaged, or hold more points than the header gives", name);
   refuse_rest(inflater.rest(), "map");
+  return out;
+}
+
+Bytes gunzipped(Bytes bytes, const MemoryBound& memory) {
+  const std::string_view all = bytes;
+  if (!all.starts_with("\x1f\x8b\x08")) return bytes;
+  std::size_t size = 0;  // in the last four bytes, the least significant first
+  for (const char byte : all.substr(all.size() - std::min<std::size_t>(all.size(), 4)) | std::views::reverse)
+    size = size << 8 | static_cast<unsigned char>(byte);
+  memory.beside(all.size()).require(2 * static_cast<double>(size), "map");
+  const std::string content = inflated(all, size);
+  Bytes out;
+  std::ranges::copy(content, out.room(size));
+  out.add(size);
   return out;
 }
 

@@ -133,12 +133,15 @@ Map map_of_text(std::string_view text, const Reading& reading) {
   Map map = columns.points() ? map_of_points(table, columns)
                              : map_of_matrix(std::move(table), columns, order, stated.spacing);
   const Index missing = map.values.isNaN().count();
+  const std::string how = std::exchange(map.understood, "");
   map.understood = fmt::format("read as a map of {} x {}, {}{}{}{}", map.values.rows(), map.values.cols(),
                                layout_of(columns, order), spacing_words(map, reading.size_told),
                                missing > 0 ? ", " + counted(missing, "point") + " missing" : "", details);
-  if (unit.empty()) return map;
-  set_units(map, unit);
-  map.understood += ", values in " + one_line(unit, 24);
+  if (!unit.empty()) {
+    set_units(map, unit);
+    map.understood += ", values in " + one_line(unit, 24);
+  }
+  if (!how.empty()) map.understood += "; " + how;
   return map;
 }
 

@@ -26,6 +26,9 @@
 /// of rounding alone: then lines are missing. Coordinates that fit no grid are compared again with those
 /// joined that differ by one digit.
 ///
+/// A profile x z whose x ascend or descend, but fit no grid, is read at as many even places, by straight
+/// lines between neighbours no further apart than three mean steps; a note says so.
+///
 /// At least half of the points of the grid must be given; the others are missing. The spacing is the range of
 /// a coordinate divided by the number of steps. A profile x z has the same spacing in y. Lines without any
 /// number are no points.

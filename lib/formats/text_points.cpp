@@ -15,7 +15,8 @@ using Column = Eigen::ArrayXd;
 using Lines = std::vector<double>;
 using Places = std::vector<Index>;
 
-constexpr Index no_chance = 8;  // missing lines that an even spacing explains as well
+constexpr double widest_step = 3;  // of the mean, across which a line is drawn
+constexpr Index no_chance = 8;     // missing lines that an even spacing explains as well
 
 // ---- printed digits ----
 
@@ -327,6 +328,31 @@ double metres_of(const Columns& columns, std::size_t axis) {
   return metres_per(unit);
 }
 
+// Of points on no grid, as many at even places, by straight lines between neighbours.
+Map even_profile(Column xs, Column zs, double metres) {
+  if (xs(0) > xs(xs.size() - 1)) xs = xs.reverse().eval(), zs = zs.reverse().eval();
+  const Index last = xs.size() - 1;
+  const double spacing = (xs(last) - xs(0)) / static_cast<double>(last);
+  Map out{.values = Field::Constant(last + 1, 1, Map::unknown),
+          .spacing = {metres * spacing, metres * spacing}};
+  for (Index i = 0, k = 0; i <= last; ++i) {
+    const double at = i == last ? xs(last) : xs(0) + static_cast<double>(i) * spacing;
+    while (k + 2 <= last && xs(k + 1) <= at) ++k;
+    const double step = xs(k + 1) - xs(k), share = (at - xs(k)) / step;
+    if (step <= widest_step * spacing) out.values(i, 0) = (1 - share) * zs(k) + share * zs(k + 1);
+  }
+  const Column steps = differences(xs);
+  out.understood = fmt::format(
+      "x is not evenly spaced, by {} to {} m: read at {} even places, by straight lines between points, "
+      "which lowers "
+      "waves of a few spacings{}",
+      in_digits(metres * steps.minCoeff(), 3), in_digits(metres * steps.maxCoeff(), 3), last + 1,
+      steps.maxCoeff() > widest_step * spacing
+          ? fmt::format("; in steps of more than {:g} spacings heights are missing", widest_step)
+          : "");
+  return out;
+}
+
 }  // namespace
 
 Map map_of_points(const Table& table, const Columns& columns) {
@@ -336,6 +362,8 @@ Map map_of_points(const Table& table, const Columns& columns) {
   const Column xs = std::move(given.front()), zs = std::move(given.back()),
                ys = profile ? Column::Zero(xs.size()) : Column(std::move(given[1]));
   if (xs.size() < 2) refuse("a map needs at least 2 points");
+  if (profile && xs.isFinite().all() && steady(xs) && fits_of(xs).none())
+    return even_profile(xs, zs, metres[0]);
   const GridAxis x = require_axis(xs, 'x'), y = require_axis(ys, 'y');
   if (!fill_half(xs.size(), x, y))
     refuse("{} points fill less than half of a grid of {} x {}", xs.size(), x.count, y.count);

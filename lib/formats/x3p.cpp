@@ -10,15 +10,17 @@
 /// while Gwyddion and SurfaceTopography multiply; a note says so. R must keep the points on their grid (half
 /// and quarter turns about z, mirrors, a map turned over, whose heights change their sign); a note says so. A
 /// missing point is NaN or infinite (Alicona), an empty Datum, or one whose bit (least significant first) is
-/// 0 in the file named by ValidPointsLink. Integers are signed, as in openGPS and Gwyddion, unlike
+/// 0 in the file named by ValidPointsLink. A profile (FeatureType PRF) is a single line, and may lack CY: its
+/// spacing in y is then that in x. Integers are signed, as in openGPS and Gwyddion, unlike
 /// SurfaceTopography. Ignored are name spaces of elements, the name of the root, and the folder of main.xml,
-/// from which links lead. Checksums are optional but must be correct. Profiles (PRF), point clouds (PCL) and
-/// more than one layer are refused. main.xml without its DataList may have 1 MiB, and md5checksum.hex 64 KiB.
+/// from which links lead. Checksums are optional but must be correct. Point clouds (PCL), axes with places of
+/// their own and more than one layer are refused. main.xml without its DataList may have 1 MiB, and
+/// md5checksum.hex 64 KiB.
 ///
 /// Memory    of reading, twice the map, and main.xml. A DataList is parsed in pieces.
 ///
 /// Files are written with doubles, NaN for missing points, and uncompressed: deflate saves only 4 % for a
-/// measured surface.
+/// measured surface. A single line along x is written as a profile, which Gwyddion 2.62 does not read.
 ///
 /// ISO 25178-72:2017, Geometrical product specifications: Surface texture: Areal, part 72, XML file format
 #include <cmath>
@@ -192,11 +194,11 @@ Map decode_x3p(std::string_view bytes, const Reading& reading) {
 
 // ---- writing ----
 
-// Takes two spacings, two numbers of points, the data file, its checksum, and the checksum file.
+// Takes the kind, two spacings, two numbers of points, the data file, its checksum, and the checksum file.
 constexpr char main_form[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\n"
-    "<Record1>\n<Revision>ISO5436 - 2000</Revision>\n<FeatureType>SUR</FeatureType>\n<Axes>\n"
+    "<Record1>\n<Revision>ISO5436 - 2000</Revision>\n<FeatureType>{}</FeatureType>\n<Axes>\n"
     "<CX>\n<AxisType>I</AxisType>\n<DataType>D</DataType>\n<Increment>{}</Increment>\n<Offset>0</Offset>\n</"
     "CX>\n"
     "<CY>\n<AxisType>I</AxisType>\n<DataType>D</DataType>\n<Increment>{}</Increment>\n<Offset>0</Offset>\n</"
@@ -210,9 +212,9 @@ constexpr char main_form[] =
 std::string encode_x3p(const Map& map, Order) {
   check_heights(map, "X3P");
   const std::string data = bytes_of(map.values);
-  const std::string main =
-      fmt::format(main_form, shortest(map.spacing[0]), shortest(map.spacing[1]), map.values.rows(),
-                  map.values.cols(), data_file, md5_of(data), checksum_file);
+  const std::string main = fmt::format(main_form, map.values.cols() == 1 ? "PRF" : "SUR",
+                                       shortest(map.spacing[0]), shortest(map.spacing[1]), map.values.rows(),
+                                       map.values.cols(), data_file, md5_of(data), checksum_file);
   const std::string checksum = fmt::format("{} *{}\n", md5_of(main), main_file);
   const ZipEntry entries[] = {{main_file, main}, {data_file, data}, {checksum_file, checksum}};
   return zip_of(entries);

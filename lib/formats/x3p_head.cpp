@@ -47,7 +47,8 @@ Index size_in(pugi::xml_node dimensions, std::string_view name) {
 double x3p_spacing(pugi::xml_node axes, std::string_view name) {
   const pugi::xml_node axis = child(axes, name);
   if (text_of_child(axis, "AxisType") != "I")
-    refuse("axis {} in main.xml is not incremental (AxisType I): write points as text, columns x y z", name);
+    refuse("axis {} in main.xml is not incremental (AxisType I): write points as text, columns x z or x y z",
+           name);
   const double out = x3p_number(axis, "Increment", 0);
   if (!(out > 0)) refuse("Increment {} of {} in main.xml is not positive", out, name);
   return out;
@@ -134,15 +135,23 @@ Head head_of(pugi::xml_node root) {
   const pugi::xml_node first = child(root, "Record1"), axes = child(first, "Axes");
   if (!first) refuse("main.xml is not that of an X3P: Record1 is missing");
   const std::string_view feature = text_of_child(first, "FeatureType");
-  if (!feature.empty() && feature != "SUR")
+  const bool profile = feature == "PRF";
+  if (!feature.empty() && feature != "SUR" && !profile)
     refuse(
-        "FeatureType {} in main.xml is not supported, only SUR, a surface: write a profile or points as "
-        "text, columns x z or x y z",
+        "FeatureType {} in main.xml is not supported, only SUR, a surface, and PRF, a profile: write points "
+        "as text, columns x y z",
         quoted(feature));
   const pugi::xml_node dimensions = child(child(root, "Record3"), "MatrixDimension");
   if (size_in(dimensions, "SizeZ") != 1) refuse("the file has more than one layer: SizeZ is not 1");
-  Head out{.shape = {size_in(dimensions, "SizeX"), size_in(dimensions, "SizeY")},
-           .spacing = {x3p_spacing(axes, "CX"), x3p_spacing(axes, "CY")},
+  const Shape shape{size_in(dimensions, "SizeX"), size_in(dimensions, "SizeY")};
+  if (profile && shape.ny != 1)
+    refuse(
+        "the file is a profile, FeatureType PRF, but SizeY is {} and not 1: write its lines as a surface, "
+        "SUR",
+        shape.ny);
+  const double dx = x3p_spacing(axes, "CX");
+  Head out{.shape = shape,
+           .spacing = {dx, profile && !child(axes, "CY") ? dx : x3p_spacing(axes, "CY")},
            .rotation = rotation_in(child(axes, "Rotation"))};
   take_heights(out, child(axes, "CZ"));
   if (out.rotation.matrix() != Eigen::Matrix3i::Identity())

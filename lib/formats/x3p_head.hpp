@@ -30,7 +30,7 @@ struct Head {
   std::string understood = {};  ///< of what is read otherwise than by other programs, for a person
 };
 
-/// Throws DataError("map", …) for what is not a surface on a grid.
+/// Throws DataError("map", …) for what is neither a surface on a grid nor a profile.
 Head head_of(pugi::xml_node root);
 /// Numbers of a file become heights: z = r33 Increment number + Offset, with x and y where R takes them.
 void make_heights(Map& map, const Head& head);

@@ -76,10 +76,32 @@ TEST_CASE("labels with units say what the columns are, and any columns can be as
   CHECK((alone - field({{3}, {4}, {5}, {9}})).abs().maxCoeff() <= 2 * epsilon * 9);
 }
 
+// Between points z is a straight line: exact where z is one, and at places that are points.
+TEST_CASE("a profile of uneven points is read at even places, by straight lines, and told",
+          "[formats][text][exact]") {
+  for (const char* text : {"0.00 1\n1.00 2\n2.23 3\n", "2.23 3\n1.00 2\n0.00 1\n"}) {
+    const Map map = format::text.decode(text, told_columns("1/um,2/m"));
+    CHECK(map.spacing == std::array{1.115e-6, 1.115e-6});
+    CHECK((map.values - Field{{1}, {2 + 0.115 / 1.23}, {3}}).abs().maxCoeff() <= 8 * epsilon * 3);
+    CHECK_THAT(map.understood, ContainsSubstring("by 1e-06 to 1.23e-06 m: read at 3 even places"));
+  }
+  // Of 0, 1, … 9, 10.3 and 30 the mean step is 30/11: no line crosses the gap of 19.7.
+  std::string gap;
+  for (int k = 0; k < 10; ++k) gap += std::to_string(k) + ".0 " + std::to_string(k) + "\n";
+  const Map map = format::text.decode(gap + "10.3 10.3\n30.0 30\n", told_columns("1/um,2/m"));
+  for (Index i = 0; i < 12; ++i) {
+    CAPTURE(i);
+    const double x = 30.0 / 11 * static_cast<double>(i);
+    CHECK(std::isnan(map.values(i, 0)) == (x > 10.3));
+    if (x < 10.3) CHECK(map.values(i, 0) == Approx(x));
+  }
+  CHECK_THAT(map.understood, ContainsSubstring("heights are missing"));
+}
+
 // 2.2 was taken for a tenth of spacings off; 1 is now off by half a digit.
 TEST_CASE("points that are no grid are refused", "[formats][text][contract]") {
   const Reading profile = told_columns("1/m,2/m"), map = told_columns("1/m,2/m,3/m");
-  CHECK_THAT(refusal("0.00 1\n1.00 2\n2.23 3\n", profile),
+  CHECK_THAT(refusal("0.00 0 1\n1.00 0 2\n2.23 0 3\n", map),
              ContainsSubstring("not evenly spaced to their printed digits: 1 is off by 0.1 spacings"));
   CHECK_THAT(refusal("0 0 1\n1 1 2\n2 2 3\n3 3 4\n", map),
              ContainsSubstring("fill less than half of a grid of 4 x 4"));

@@ -35,6 +35,26 @@ TEST_CASE("a map is the same after X3P, to the last bit, its missing points and 
   CHECK(again.units == "m");
 }
 
+TEST_CASE("a profile in X3P is one line, which may lack its spacing in y, and is written as one",
+          "[formats][exact]") {
+  const std::string data = numbers_of_type(NumberType::float64);
+  Description d{.feature = "PRF", .size_x = "6", .size_y = "1"};
+  const Map map = decode(foreign_x3p(d, data));
+  CHECK(same(map.values, whole_heights().reshaped(6, 1)));
+  CHECK(map.spacing == std::array{1.5e-6, 4e-6});
+  d.third = link(data);
+  std::string main = main_xml(d);
+  const auto y = main.find("<CY>");
+  main.erase(y, main.find("</CY>") + 5 - y);
+  CHECK(decode(deflated({{"main.xml", main}, {"bindata/data.bin", data}})).spacing ==
+        std::array{1.5e-6, 1.5e-6});
+  const std::string written = format::x3p.encode(map, Order::xy);
+  CHECK(written.find("<FeatureType>PRF<") != written.npos);
+  CHECK(same(decode(written).values, map.values));
+  CHECK(format::x3p.encode(decode(foreign_x3p({}, data)), Order::xy).find("<FeatureType>SUR<") !=
+        written.npos);
+}
+
 TEST_CASE("the same map makes the same X3P bytes", "[formats][exact]") {
   CHECK(format::x3p.encode(map_with_holes(), Order::xy) == format::x3p.encode(map_with_holes(), Order::yx));
 }

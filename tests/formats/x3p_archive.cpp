@@ -88,14 +88,15 @@ TEST_CASE("a wrong checksum of an X3P is named", "[formats][contract]") {
   CHECK_NOTHROW(decode(deflated({{"main.xml", main_xml(d)}, {"bindata/data.bin", data}})));
 }
 
-TEST_CASE("what an X3P says of itself must be a surface of one layer, of the size of its numbers",
+TEST_CASE("what an X3P says of itself must be a surface or a profile of one layer, of the size of its numbers",
           "[formats][contract]") {
   const std::string data = numbers_of_type(NumberType::float64);
   const auto refused = [&](const Description& d, const char* words) {
     CHECK_THROWS_WITH(decode(foreign_x3p(d, data)), ContainsSubstring(words));
   };
   CHECK_NOTHROW(decode(foreign_x3p({}, data)));
-  refused({.feature = "PRF"}, "FeatureType 'PRF' in main.xml is not supported, only SUR, a surface");
+  refused({.feature = "PCL"}, "FeatureType 'PCL' in main.xml is not supported, only SUR, a surface, and PRF");
+  refused({.feature = "PRF"}, "a profile, FeatureType PRF, but SizeY is 2 and not 1");
   refused({.type = "X"}, "number type 'X' is not supported, only I, L, F, D");
   refused({.type = "F"}, "has 48 bytes, the map needs 24");
   refused({.size_x = "4"}, "cut short");

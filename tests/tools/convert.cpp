@@ -92,6 +92,22 @@ TEST_CASE("a surface comes back from every format the same, with its spacing", "
   }
 }
 
+TEST_CASE("what gzip has packed is read as its content is, by every tool", "[convert][exact]") {
+  REQUIRE(shell(draw_small +
+                "-o plain.nc && asperity-convert plain.nc -o plain.txt && gzip -kf plain.nc plain.txt && "
+                "asperity-psd plain.nc --result radial > plain.tsv && gzip -kf plain.tsv")
+              .exit == 0);
+  for (const std::string file : {"plain.nc", "plain.txt"})
+    for (const std::string tool :
+         {"asperity-stats ", "asperity-acf --result lengths ", "asperity-convert --to gsf "})
+      CHECK(shell(tool + file + ".gz").out == shell(tool + file).out);
+  CHECK(shell("asperity-stats < plain.nc.gz").out == shell("asperity-stats plain.nc").out);
+  const std::string twin = "asperity-generate -q --shape 32x24 --size 3.2mm,2.4mm --seed 1 --psd ";
+  CHECK(shell(twin + "plain.tsv.gz | asperity-stats").out == shell(twin + "plain.tsv | asperity-stats").out);
+  CHECK_THAT(shell("head -c 99 plain.nc.gz | asperity-stats").error,
+             ContainsSubstring("map: the file is cut short"));
+}
+
 TEST_CASE("a matrix in text has the order, the size and the unit that it is given", "[convert][exact]") {
   write_text("matrix.txt", "1,2,3\n4,5,6\n");
   REQUIRE(shell("asperity-convert matrix.txt --from-order yx --size 6mm,4mm --unit nm -o m.nc").exit == 0);

@@ -15,6 +15,11 @@ bool has_channels(std::string_view format) {
   return format == through_gwyddion || (format != "netcdf" && format_named(format, "from").channels);
 }
 
+// Its content is unpacked when it is read.
+std::string without_gz(const std::string& name) {
+  return name.ends_with(".gz") ? name.substr(0, name.size() - 3) : name;
+}
+
 std::string names_of_formats() {
   std::string out = "netcdf";
   for (const Format& format : formats())
@@ -40,7 +45,7 @@ std::string_view InputFormat::found(std::string_view bytes, const std::string& n
   if (netcdf(bytes)) {
     out = "netcdf";
   } else if (format == "auto") {
-    const Format* known = known_format(bytes, name);
+    const Format* known = known_format(bytes, without_gz(name));
     out = known != nullptr ? known->name : through_gwyddion;
   }
   if (!channel.empty() && !has_channels(out))
@@ -57,7 +62,7 @@ std::string InputFormat::reason(std::string_view bytes, const std::string& name)
     return file + "its first bytes are of that format";
   const std::string none = "its first bytes are of none of " + names_of_formats();
   if (out == through_gwyddion) return file + none + ", its extension is of no format, and it is no text";
-  if (const Format* other = format_by_extension(name); other != nullptr && other->name == out)
+  if (const Format* other = format_by_extension(without_gz(name)); other != nullptr && other->name == out)
     return file + none + ", its extension is of that format";
   return file + none + ", its extension is of no format, and it is text; Gwyddion is not asked";
 }

@@ -20,6 +20,7 @@
 #include "core/error.hpp"
 #include "core/launch.hpp"
 #include "core/words.hpp"
+#include "formats/gzip.hpp"
 #include "tools/cli/file_identity.hpp"
 
 namespace asperity::cli {
@@ -110,7 +111,7 @@ Bytes read_all(const std::string& name, const MemoryBound& memory) {
   Bytes bytes = read_to_end(file.fd, words, memory);
   if (bytes.size() == 0)
     throw DataError(words, piped ? "it is empty: the tool before this one wrote nothing" : "it is empty");
-  return bytes;
+  return gunzipped(std::move(bytes), memory);
 }
 
 // ---- out ----

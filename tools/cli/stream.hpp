@@ -19,8 +19,8 @@ namespace asperity::cli {
 
 using asperity::Bytes;
 
-/// All of a file, or of standard input, "-". Throws DataError where it is empty or larger than what is left
-/// of `memory`, before that is taken.
+/// All of a file, or of standard input, "-"; of one that gzip has made, its content. Throws DataError where
+/// it is empty or larger than what is left of `memory`, before that is taken.
 Bytes read_all(const std::string& name, const MemoryBound& memory);
 /// The same of an open file, which may be empty.
 Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory);
