@@ -4,16 +4,15 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 get_property(tools GLOBAL PROPERTY ASPERITY_TOOLS)
-install(TARGETS ${tools} COMPONENT tools)
 get_property(modules GLOBAL PROPERTY ASPERITY_MODULES)
 if(ASPERITY_MPI)  # in a package of its own
   list(REMOVE_ITEM modules asperity_mpi)
   install(TARGETS asperity_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mpi)
   set_target_properties(asperity_mpi PROPERTIES INSTALL_RPATH $ORIGIN)
 endif()
-if(modules)
-  install(TARGETS ${modules} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
-endif()
+foreach(target ${tools} ${modules})
+  install(TARGETS ${target} RUNTIME COMPONENT tools LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
+endforeach()
 install(TARGETS asperity asperity_io asperity_stats EXPORT Asperity
   LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development
@@ -21,7 +20,9 @@ install(TARGETS asperity asperity_io asperity_stats EXPORT Asperity
 
 # Tools find the libraries after the tree is moved.
 file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-set_target_properties(${tools} PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
+if(tools)
+  set_target_properties(${tools} PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
+endif()
 set_target_properties(asperity asperity_io asperity_stats ${modules} PROPERTIES INSTALL_RPATH $ORIGIN)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Asperity)
@@ -45,6 +46,9 @@ cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_PRE
 configure_file(${PROJECT_SOURCE_DIR}/cmake/asperity.pc.in ${PROJECT_BINARY_DIR}/asperity.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/asperity.pc DESTINATION ${pc_folder} COMPONENT development)
 
+if(NOT tools)
+  return()
+endif()
 file(GLOB pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 list(FILTER pages EXCLUDE REGEX README)
 install(FILES ${pages} ${PROJECT_SOURCE_DIR}/docs/pipeline.svg ${PROJECT_SOURCE_DIR}/docs/schema.json

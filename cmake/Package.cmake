@@ -1,6 +1,6 @@
 # Debian packages by `cpack`: asperity (the tools), libasperity0.2 (named after its SOVERSION, as usual in Debian),
 # libasperity-dev, python3-asperity and asperity-mpi. dpkg-shlibdeps finds what they depend on.
-if(NOT BUILD_SHARED_LIBS)
+if(NOT BUILD_SHARED_LIBS OR NOT ASPERITY_TOOLS)
   return()  # the tools and the development package would each contain the library
 endif()
 
