@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/memory.hpp"
 #include "core/words.hpp"
+#include "dataset/beside.hpp"
 #include "dataset/catalogue.hpp"
 #include "dataset/conventions.hpp"
 
@@ -45,10 +47,16 @@ std::mutex library;
 // UDUNITS' parsers end the program when memory runs out.
 constexpr std::size_t room_for_database = 2 << 20, room_for_unit = 1 << 18;
 
-// The database of units, read once.
+// The database that UDUNITS2_XML_PATH names, else the one beside this library, else that of the installation.
+ut_system* database() {
+  const std::string own = std::getenv("UDUNITS2_XML_PATH") ? "" : beside_library("udunits/udunits2.xml");
+  return ut_read_xml(own.empty() ? nullptr : own.c_str());
+}
+
+// Read once.
 const ut_system* units() {
   static const std::unique_ptr<ut_system, Release<ut_free_system>> system(
-      (require_memory(room_for_database), ut_read_xml(nullptr)));
+      (require_memory(room_for_database), database()));
   if (!system)
     throw std::runtime_error("cannot read the units database of UDUNITS-2: check its installation");
   return system.get();

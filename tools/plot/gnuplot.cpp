@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "core/words.hpp"
+#include "dataset/beside.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX has it, but not in a header
 
@@ -38,8 +39,10 @@ std::string content_of(const File& file) {
 }
 
 // Runs gnuplot with these files as its standard input, output and error; returns whether it succeeds.
+// One that was installed with the tools comes before that of PATH: pictures are the same everywhere.
 bool gnuplot(const File& input, const File& output, const File& error) {
   char program[] = "gnuplot", defaults[] = "--default-settings", standard_input[] = "-";
+  const std::string own = beside_library("gnuplot/gnuplot");
   char* const arguments[] = {program, defaults, standard_input, nullptr};
   posix_spawn_file_actions_t streams{};
   posix_spawn_file_actions_init(&streams);
@@ -47,7 +50,8 @@ bool gnuplot(const File& input, const File& output, const File& error) {
   for (const File* file : {&input, &output, &error})
     posix_spawn_file_actions_adddup2(&streams, ::fileno(file->get()), stream++);
   pid_t child = -1;
-  const int failure = posix_spawnp(&child, program, &streams, nullptr, arguments, environ);
+  const int failure =
+      posix_spawnp(&child, own.empty() ? program : own.c_str(), &streams, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&streams);
   if (failure == ENOENT)
     throw std::runtime_error("the program gnuplot is not on the PATH: install gnuplot (Debian: gnuplot-nox)");
