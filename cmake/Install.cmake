@@ -4,13 +4,14 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 get_property(tools GLOBAL PROPERTY ASPERITY_TOOLS)
+get_property(parts GLOBAL PROPERTY ASPERITY_PARTS)
 get_property(modules GLOBAL PROPERTY ASPERITY_MODULES)
 if(ASPERITY_MPI)  # in a package of its own
   list(REMOVE_ITEM modules asperity_mpi)
   install(TARGETS asperity_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mpi)
   set_target_properties(asperity_mpi PROPERTIES INSTALL_RPATH $ORIGIN)
 endif()
-foreach(target ${tools} ${modules})
+foreach(target ${tools} ${parts} ${modules})
   install(TARGETS ${target} RUNTIME COMPONENT tools LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
 endforeach()
 install(TARGETS asperity asperity_io asperity_stats EXPORT Asperity
@@ -23,7 +24,7 @@ file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FUL
 if(tools)
   set_target_properties(${tools} PROPERTIES INSTALL_RPATH $ORIGIN/${to_libraries})
 endif()
-set_target_properties(asperity asperity_io asperity_stats ${modules} PROPERTIES INSTALL_RPATH $ORIGIN)
+set_target_properties(asperity asperity_io asperity_stats ${parts} ${modules} PROPERTIES INSTALL_RPATH $ORIGIN)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Asperity)
 install(EXPORT Asperity NAMESPACE Asperity:: FILE AsperityTargets.cmake DESTINATION ${package_folder} COMPONENT development)
@@ -59,4 +60,4 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md $
 
 set(ASPERITY_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the module of Python is installed")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python/asperity DESTINATION ${ASPERITY_PYTHON_DIR} COMPONENT python
-  FILES_MATCHING PATTERN *.py)
+  FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed)

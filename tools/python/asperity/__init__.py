@@ -5,7 +5,7 @@
     pressed = asp.contact(surface, radius="50mm", young="208GPa", poisson=0.3, load="5kN", yield_="1.2GPa")
     asp.stats(surface).loc["Sq", ["value", "low_95", "high_95"]]
 
-There is a function for each tool asperity-NAME on PATH. Its name, signature and documentation come from the
+There is a function for each tool asperity-NAME of the wheel, or on PATH. Its name, signature and documentation come from the
 tool itself (--describe): help(asperity.contact). Every call runs the tool, so the numbers are the shell's to the
 last bit. Data passes through pipes in memory.
 

@@ -2,6 +2,7 @@
 command line."""
 import difflib
 import functools
+import importlib.metadata
 import inspect
 import json
 import keyword
@@ -18,17 +19,37 @@ PREFIX = "asperity-"
 NO_PARAMETERS = ("quiet", "json", "table")  # notes are logged, and tables are read
 
 
+@functools.lru_cache(maxsize=None)
+def _brought(program):
+    """A program of the wheel from which this module was installed, or None, as for a module from elsewhere."""
+    try:
+        files = importlib.metadata.distribution(__package__).files or []
+    except importlib.metadata.PackageNotFoundError:
+        return None
+    own = os.path.normpath(__file__)
+    places = {file.name: os.path.normpath(file.locate()) for file in files if file.parent.name in ("bin", __package__)}
+    if places.get(os.path.basename(own)) != own:
+        return None
+    beside = os.path.join(os.path.dirname(os.path.dirname(own)), "bin", program)  # by pip install --target
+    return next(filter(os.path.isfile, (places.get(program, ""), beside)), None)
+
+
+def _find(program):
+    """Where a program is: where pip has put it, in an active environment or not, else where a shell would find it."""
+    return _brought(program) or shutil.which(program)
+
+
 def program(name):
-    """The path of a tool, as a shell would find it."""
+    """The path of a tool."""
     tool = PREFIX + name
-    if found := shutil.which(tool):
+    if found := _find(tool):
         return found
     raise ToolError(f"{tool} is not on PATH: install the package asperity, or add the folder of the tools", tool, 127)
 
 
 def names():
     """All tools beside the program asperity, without their prefix."""
-    listed = shutil.which("asperity")
+    listed = _find("asperity")
     folder = os.path.dirname(listed) if listed else None
     found = sorted(f for f in os.listdir(folder) if f.startswith(PREFIX)) if folder else []
     return [name.removeprefix(PREFIX) for name in found if os.access(os.path.join(folder, name), os.X_OK)]
