@@ -102,6 +102,16 @@ TEST_CASE("a description for programs has every option of --help, and the unit o
   CHECK(told("man") == "[\"flag\",\"\",[],false,true,[]]\n");
 }
 
+TEST_CASE("a description for programs has the attributes that the tool leaves in a dataset, and no other's",
+          "[describe][contract]") {
+  const std::string results = " --describe | jq -c '.results[] | select(.name == \"";
+  CHECK(shell("asperity-contact" + results + "contact_area\")'").out ==
+        R"({"name":"contact_area","role":"result","unit":"m2","text":"real contact area"})"
+        "\n");
+  CHECK(shell("asperity-stress" + results + "contact_area\")'").out == "");
+  CHECK(shell("asperity-stats --describe | jq -c .results").out == "[]\n");
+}
+
 // The choices of FILE.png|.svg|.pdf were offered as words.
 TEST_CASE("a kind that names files is completed by files", "[completion][contract]") {
   shell("touch map.png");

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "dataset/catalogue.hpp"
 #include "tools/cli/documents.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/toolbox.hpp"
@@ -28,6 +29,11 @@ std::string unit_of_kind(const std::string& kind) {
 std::string word_of(Value value) {
   constexpr std::array words = {"flag", "file", "word", "other"};  // as in Value
   return words[static_cast<std::size_t>(value)];
+}
+
+std::string word_of(Role role) {
+  constexpr std::array words = {"parameter", "result", "achieved", "other"};  // as in Role
+  return words[static_cast<std::size_t>(role)];
 }
 
 Json all_of(const std::set<CLI::Option*>& options) {
@@ -59,6 +65,17 @@ Json entry(const CLI::App& app, const CLI::Option& option, const Documents& more
           {"excludes", all_of(option.get_excludes())}};
 }
 
+// The attributes that it leaves in a dataset, by the catalogue: those with its prefix.
+Json results_of(const std::string& tool) {
+  const std::string prefix = tool.substr(tool.find('-') + 1) + "_";
+  Json out = Json::array();
+  for (const KnownAttribute& known : known_attributes())
+    if (known.name.starts_with(prefix))
+      out.push_back(
+          {{"name", known.name}, {"role", word_of(known.role)}, {"unit", known.unit}, {"text", known.label}});
+  return out;
+}
+
 // Paragraphs with an empty line between them, items under each other.
 std::string plain_text(const std::vector<Paragraph>& paragraphs) {
   std::string out;
@@ -81,6 +98,7 @@ std::string description(const CLI::App& app, const Documents& more) {
               {"example", more.example},
               {"accuracy", plain_text(accuracy_of(name))},
               {"options", Json::array()},
+              {"results", results_of(name)},
               {"statuses", Json::array()}};
   for (const CLI::Option* option : app.get_options()) out["options"].push_back(entry(app, *option, more));
   for (const auto& [code, meaning] : more.statuses)
