@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """However a run ends, it is told in one line, and no process, open file or temporary file is left."""
 import contextlib
+import errno
 import io
 import logging
 import os
@@ -42,7 +43,7 @@ class Errors(support.TestCase):
     def test_exceptions_have_the_tools_line_and_status(self):
         for options, kind, status, line in (
                 (dict(), asp.UsageError, 2, "asperity-contact: --young is required"),
-                (dict(PRESS, report="/nowhere/r.json"), asp.ToolError, 1,
+                (dict(PRESS, report="/nowhere/r.json"), asp.NoFile, 1,
                  "asperity-contact: /nowhere/r.json: No such file or directory")):
             with self.assertRaises(kind) as caught:
                 asp.contact(asp.generate(**SURFACE), **options)
@@ -52,6 +53,19 @@ class Errors(support.TestCase):
             self.assertEqual((type(again), str(again), again.status), (kind, line, status))
         self.assertRaisesRegex(asp.BadData, "^asperity-stats: heights is missing", asp.stats,
                                asp.generate(**SURFACE).drop_vars("heights"))
+
+    def test_a_file_that_is_not_there_is_pythons_error(self):
+        surface = asp.generate(**SURFACE)
+        for call, name in ((lambda: asp.stats("nowhere.nc"), "nowhere.nc"),
+                           (lambda: asp.contact(surface, **STEEL, counter=pathlib.Path("/no/where.nc")), "/no/where.nc"),
+                           (lambda: asp.generate(**SURFACE, output="/no/where.nc"), "/no/where.nc")):
+            with self.assertRaises(FileNotFoundError) as caught:
+                call()
+            again = pickle.loads(pickle.dumps(caught.exception))
+            for error in (caught.exception, again):
+                self.assertIsInstance(error, asp.ToolError)
+                self.assertEqual((error.filename, error.errno), (name, errno.ENOENT))
+                self.assertRegex(str(error), f"^asperity-.*{name}: No such file or directory$")
 
     def test_a_solver_that_does_not_converge_gives_its_best_and_the_pipe_goes_on(self):
         warnings.simplefilter("ignore", asp.ToolWarning)
@@ -97,6 +111,7 @@ class Errors(support.TestCase):
             self.assertEqual(caught.exception.status, 127)
             self.assertEqual([name for name in dir(asp) if name == "stats"], [])
             self.assertRaisesRegex(AttributeError, "asperity-stats is not on PATH", lambda: asp.stats)
+        self.assertRaisesRegex(AttributeError, "no function 'genrate': did you mean 'generate'?", lambda: asp.genrate)
 
     def test_a_tool_that_a_signal_ends_or_that_writes_half_a_dataset_is_told(self):
         for script, line in (("kill -9 $$", "^asperity-odd: ended by SIGKILL$"),

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """What strangers pass to the module is understood, or refused in one line; nothing is left behind."""
+import io
 import tempfile
 import warnings
 
@@ -9,6 +10,7 @@ from support import STEEL, SURFACE
 import numpy
 import xarray
 import asperity as asp
+from asperity import _encode
 
 HEIGHTS = numpy.random.default_rng(1).normal(size=(12, 16)) * 1e-6
 
@@ -145,6 +147,45 @@ class Datasets(support.TestCase):
                             poisson=0.3, sweep=asp.si(numpy.array([10., 20, 40])))
         self.assertEqual(list(sweep.load.round(9)), [10, 20, 40])
         self.assertEqual(asp.plot(sweep, kind="sweep").media, "image/png")
+
+    # Lines of an open file were taken for names of files.
+    def test_an_open_file_is_read(self):
+        one = surface()
+        packed = io.BytesIO(b"".join(_encode.encoded(one)))
+        self.assertEqual(asp.stats(packed).loc["Sq", "value"], asp.stats(one).loc["Sq", "value"])
+        points = io.StringIO("# x [um]\ty [um]\tdepth [um]\n0\t0\t5\n")
+        self.assertAlmostEqual(asp.stress(asp.contact(one, **STEEL), points=points).z[0] / 5e-6, 1, 14)
+        with tempfile.NamedTemporaryFile(suffix=".txt") as file:
+            numpy.savetxt(file.name, HEIGHTS)
+            for opened in (open(file.name), open(file.name, "rb")):
+                with opened:
+                    numpy.testing.assert_array_equal(asp.convert(opened, size="1mm", unit="m").heights, HEIGHTS)
+
+    # Of a dataset of several surfaces, tools said that acf_achieved does not have two dimensions.
+    def test_a_dataset_with_a_further_dimension_is_several_surfaces(self):
+        drawn = list(asp.ensemble(**SURFACE, count=3))
+        several = xarray.concat(drawn, xarray.DataArray([30, 40, 50], dims="length"))
+        self.assertEqual(asp.stats(several).loc["Sq", "mean"], asp.stats(drawn).loc["Sq", "mean"])
+        self.assertEqual(asp.stats(several.heights.transpose(..., "length")).loc["Sq", "surfaces"], 3)
+        flats = dict(young="1GPa", poisson=0.3, load="1N")
+        self.assertEqual(list(asp.contact(several, **flats).index[:3]), ["length=30", "length=40", "length=50"])
+        self.assertEqual(asp.stats(several.isel(length=1)).loc["Sq", "value"], asp.stats(drawn[1]).loc["Sq", "value"])
+        self.assertRaisesRegex(TypeError, "asperity-convert takes one dataset, not 3", asp.convert, several)
+        with self.assertRaisesRegex(asp.BadData, r"heights is not a field on \(x, y\)"):
+            asp.stats(several.heights.expand_dims("other").to_dataset())
+
+    def test_parts_of_a_dataset_keep_their_places_and_are_not_periodic(self):
+        one = asp.generate(**dict(SURFACE, shape=(48, 48), periodic=True))
+        half = asp.filter(one.isel(x=slice(0, 24)), scale=1)
+        self.assertEqual((half.x.periodic, half.y.periodic), (0, 1))
+        numpy.testing.assert_array_equal(half.heights, one.heights[:24])
+        for same in (one.sel(x=slice(None, None, -1)), one.sortby("y", ascending=False), one.transpose("x", "y", ...)):
+            self.assertAlmostEqual(asp.stats(same).loc["Sq", "value"] / asp.stats(one).loc["Sq", "value"], 1, 12)
+        self.assertRaisesRegex(asp.BadData, "x: coordinates are not evenly spaced", asp.stats, one.isel(x=[0, 1, 3]))
+        self.assertRaisesRegex(asp.BadData, "^asperity-stats: heights has no unit: add the attribute units", asp.stats,
+                               one - one.mean())
+        with xarray.set_options(keep_attrs=True):
+            self.assertEqual(asp.stats(one * 2).loc["Sq", "value"], 2 * asp.stats(one).loc["Sq", "value"])
 
     def test_a_spectrum_is_a_table_a_dictionary_or_an_array(self):
         options = dict(shape=(32, 32), size="32um", seed=1)

@@ -12,21 +12,27 @@ last bit. Data passes through pipes in memory.
 Options   as in the shell, with _ for - and behind a keyword: yield_, from_. A quantity is text with its unit,
           "3mm", si(3e-3), a number in SI, or a quantity of pint. A flag is True. Tuples, lists and arrays are A,B, of counts
           AxB. A list repeats an option that may come again. The steps of filter come in the order as written.
-Files     where a tool reads one: a file's name, an xarray.Dataset or DataArray, a table, bytes.
-Surfaces  come first; where a tool takes several, also a list of them, or a dictionary that names them.
+Files     where a tool reads one: a file's name, an xarray.Dataset or DataArray, a table, bytes, an open file.
+Surfaces  come first; where a tool takes several, also a list of them, a dictionary that names them, or a dataset in which
+          they lie along a further dimension.
+Methods   surface.asp.stats() is asperity.stats(surface), pressed.asp.contact.area a result with error, unit and meaning.
 Results   an xarray.Dataset, in which missing points are NaN; a pandas.DataFrame (a dict where pandas is missing)
           with units in attrs["units"]; a Document, which a notebook shows; else bytes. With output="FILE" the
           tool writes the file, and None is returned.
-Errors    ToolError and its kinds UsageError, BadData and NotConverged, which has the dataset. Warnings are
+Errors    ToolError and its kinds UsageError, BadData, NoFile and NotConverged, which has the dataset. Warnings are
           ToolWarning. Notes go to the logger "asperity". An exit status from 5 on is an answer, not an error:
           asperity.validate returns its table.
 """
-from ._calls import Stage, dataset, ensemble, pipe, si, stage
-from .errors import BadData, NotConverged, ToolError, ToolWarning, UsageError
+from . import _accessor, stage
+from ._accessor import Result
+from ._calls import Stage, dataset, ensemble, pipe, si
+from .errors import BadData, NoFile, NotConverged, ToolError, ToolWarning, UsageError
 
 __version__ = "0.2.0"
-__all__ = ["BadData", "NotConverged", "Stage", "ToolError", "ToolWarning", "UsageError", "dataset", "ensemble",
-           "pipe", "si", "stage"]
+__all__ = ["BadData", "NoFile", "NotConverged", "Result", "Stage", "ToolError", "ToolWarning", "UsageError", "dataset",
+           "ensemble", "pipe", "si", "stage"]
+
+_accessor.register()
 
 
 def __getattr__(name):

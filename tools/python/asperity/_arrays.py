@@ -17,7 +17,7 @@ def dataset(heights, size, unit, periodic):
     if periodic not in (True, False, "x", "y"):
         raise ValueError(f"periodic={periodic!r}: True, False, 'x' or 'y'")
     convert = Stage("convert", {"from_": "npy", "size": size, "unit": unit})
-    out = run_pipe([convert], _data.Source("heights", lambda: _npy(array)))
+    out = run_pipe([convert], _data.Source("heights", _npy, array))
     for axis in "xy":
         if periodic is True or periodic == axis:
             out[axis].attrs["periodic"] = np.int32(1)

@@ -1,4 +1,6 @@
 """The functions: one for each tool, and those that put tools together."""
+import functools
+
 from . import _data, _options
 from ._stage import Stage, run_pipe
 from .errors import ToolError, brief
@@ -7,13 +9,20 @@ from .errors import ToolError, brief
 def function(name, waits=False):
     """The function of a tool; `waits`: one that returns a stage in any case."""
     module = "asperity.stage" if waits else "asperity"
-    tool = name.rstrip("_").replace("_", "-")
     if name.startswith("_"):
         raise AttributeError(f"module {module!r} has no attribute {name!r}")
     try:
-        about = _options.table(tool)
+        return _made(name, module, *_options.state(name.rstrip("_").replace("_", "-")))
     except ToolError as error:
-        raise AttributeError(f"module {module!r} has no function {name!r}: {error}") from None
+        known = map(_options.python_name, _options.names()) if error.status == 127 else ()
+        hint = _options.near(name, known) or f": {error}"
+        raise AttributeError(f"module {module!r} has no function {name!r}{hint}") from None
+
+
+@functools.lru_cache(maxsize=None)
+def _made(name, module, tool, *state):
+    """Once for each state of the program: pickle asks whether a name is the same function."""
+    about, waits = _options.table_of(tool, *state), module == "asperity.stage"
 
     def call(*datasets, **options):
         if "dataset" in options and not datasets:
@@ -24,19 +33,6 @@ def function(name, waits=False):
     call.__module__, call.__doc__ = module, _options.docstring(about)
     call.__signature__ = _options.signature(about)
     return call
-
-
-class _Stages:
-    """The tools as stages, those too that need no dataset: asperity.stage.generate(...)."""
-
-    def __getattr__(self, name):
-        return function(name, waits=True)
-
-    def __dir__(self):
-        return [_options.python_name(name) for name in _options.names()]
-
-
-stage = _Stages()
 
 
 def pipe(*stages):
@@ -98,7 +94,7 @@ def ensemble(*stages, count, first=0, seed=None, processes=None, **options):
 
     A kernel that takes long is solved once: kernel=asperity.kernel(...).
     """
-    from . import _ensemble
+    from . import _ensemble, stage
     if stages and options:
         raise TypeError(f"{', '.join(options)}: beside stages, options belong to the first of them")
     return _ensemble.members(stages or (stage.generate(**options),), count, first, seed, processes)

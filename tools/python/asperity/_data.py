@@ -10,10 +10,13 @@ from .errors import brief
 
 
 class Source:
-    """Data that a tool reads as a file: `pieces()` are its bytes, `name` is what messages call it."""
+    """Data that a tool reads as a file: its bytes are the pieces of encode(value), `name` is what messages call it."""
 
-    def __init__(self, name, pieces):
-        self.name, self.pieces = name, pieces
+    def __init__(self, name, encode, value):
+        self.name, self.encode, self.value = name, encode, value
+
+    def pieces(self):
+        return self.encode(self.value)
 
     def __repr__(self):
         return f"<{self.name}>"
@@ -59,14 +62,25 @@ def source(value, name):
     if _is(value, "xarray", "DataArray"):
         value = value.to_dataset(name=value.name or "heights")
     if _is(value, "xarray", "Dataset"):
-        return Source(name, lambda: _encoded(value))
+        return Source(name, _encoded, value)
     if isinstance(value, (bytes, bytearray, memoryview)):
-        return Source(name, lambda: [value])
+        return Source(name, _whole, value)
     if _is(value, "pandas", "DataFrame") or isinstance(value, collections.abc.Mapping):
-        return Source(name, lambda: [_text_of_columns(value)])
+        return Source(name, _text_of_columns, value)
     if _is(value, "numpy", "ndarray") and value.ndim == 2:
-        return Source(name, lambda: [_text_of_rows(value, "")])
-    raise TypeError(f"{name}={brief(value)}: the name of a file, a Dataset, a DataArray, a table or bytes are needed")
+        return Source(name, _text_of_rows, value)
+    raise TypeError(f"{name}={brief(value)}: the name of a file, a Dataset, a DataArray, a table, bytes or an "
+                    "open file are needed")
+
+
+def contents(value):
+    """Of an open file, which can be read once; any other value as it is."""
+    read = value.read() if hasattr(value, "read") else value
+    return read.encode() if read is not value and isinstance(read, str) else read
+
+
+def _whole(data):
+    return [data]
 
 
 def _encoded(dataset):
@@ -83,21 +97,33 @@ def _text_of_columns(columns):
     return _text_of_rows(zip(*map(list, columns.values())), "# " + "\t".join(columns) + "\n")
 
 
-def _text_of_rows(rows, head):
-    cells = (["\t".join(v if isinstance(v, str) else repr(float(v)) for v in row)] for row in rows)
-    return (head + "".join(f"{line}\n" for line, in cells)).encode()
+def _text_of_rows(rows, head=""):
+    lines = ("\t".join(v if isinstance(v, str) else repr(float(v)) for v in row) for row in rows)
+    return [(head + "".join(f"{line}\n" for line in lines)).encode()]
 
 
 def inputs(given):
-    """The surfaces of a call, with a name for each: lists and dictionaries of them are taken apart."""
+    """The surfaces of a call, with a name for each: lists, dictionaries and datasets of them are taken apart."""
     out = []
-    for at, value in enumerate(given):
+    for at, value in enumerate(map(contents, given)):
         if _is(value, "numpy", "ndarray"):
             raise TypeError("an array has no size: asperity.dataset(heights, size='3mm') makes a surface of it")
         if isinstance(value, collections.abc.Mapping) and not _is(value, "xarray", "Dataset"):
             out += [(str(key), one) for key, one in value.items()]
         elif isinstance(value, (list, tuple, collections.abc.Iterator)):
-            out += [(f"datasets[{k}]", one) for k, one in enumerate(value)]
+            out += [(f"datasets[{k}]", contents(one)) for k, one in enumerate(value)]
+        elif other := _dimension_of_surfaces(value):
+            labels = value[other].values
+            out += [(f"{other}={labels[k]}", value.isel({other: k})) for k in range(len(labels))]
         else:
             out.append((f"datasets[{at}]" if len(given) > 1 else "dataset", value))
     return out
+
+
+def _dimension_of_surfaces(value):
+    """The name of the one dimension besides x, y and z over which a dataset or a field holds surfaces, else None."""
+    field = value.get("heights") if _is(value, "xarray", "Dataset") else value
+    if not _is(field, "xarray", "DataArray") or not {"x", "y"} <= set(field.dims):
+        return None
+    others = set(field.dims) - {"x", "y", "z"}
+    return others.pop() if len(others) == 1 else None

@@ -56,14 +56,20 @@ def names():
 
 
 def table(name):
-    """What the tool tells of itself, read once for each state of the program."""
+    """What the tool tells of itself."""
+    return table_of(*state(name))
+
+
+def state(name):
+    """The tool, its program, and marks of its state."""
     path = program(name)
-    state = os.stat(path)
-    return _table(path, state.st_mtime_ns, state.st_size, state.st_ino)
+    marks = os.stat(path)
+    return name, path, marks.st_mtime_ns, marks.st_size, marks.st_ino
 
 
 @functools.lru_cache(maxsize=None)
-def _table(path, *_state):
+def table_of(_name, path, *_marks):
+    """Read once for each state of the program."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith("ASPERITY_")}
     run = subprocess.run([path, "--describe"], stdin=subprocess.DEVNULL, capture_output=True, env=environment)
     if run.returncode != 0:
@@ -120,10 +126,10 @@ def _kind_in_words(option):
     return kind + number + (", a list repeats it" if option["repeated"] else "")
 
 
-def _unknown(about, name):
-    near = difflib.get_close_matches(name, about["parameters"], 1)
-    hint = f": did you mean {near[0]!r}?" if near else ""
-    return TypeError(f"{about['tool']} has no option {name!r}{hint}")
+def near(name, known):
+    """A hint at the known name that is most like it, or nothing."""
+    found = difflib.get_close_matches(name, list(known), 1)
+    return f": did you mean {found[0]!r}?" if found else ""
 
 
 # ---- words of the command line ----
@@ -134,13 +140,14 @@ def words(about, options):
     out, own = [], about["parameters"]
     for name, value in options.items():
         if name not in own:
-            raise _unknown(about, name)
+            raise TypeError(f"{about['tool']} has no option {name!r}{near(name, own)}")
         if value is not None and name != "progress":  # which is shown by this module
             out += _words_of(own[name], name, value)
     if own.get("output", {}).get("required") and options.get("output") is None:
         out += ["--output", "-"]
-        if "to" in own and options.get("to") is None:
-            out += ["--to", own["to"]["words"][0]]  # of a picture: PNG
+        for name in ("to", "kind"):  # of a picture: PNG, a map
+            if name in own and options.get(name) is None:
+                out += [f"--{name}", own[name]["words"][0]]
     return out
 
 

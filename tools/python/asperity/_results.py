@@ -26,6 +26,8 @@ class Document(bytes):
     def __repr__(self):
         return f"<{self.media}, {len(self)} bytes>"
 
+    __str__ = __repr__  # that of bytes prints them all
+
     def _repr_mimebundle_(self, include=None, exclude=None):
         shown = self.decode() if self.media.startswith(("text", "image/svg")) else bytes(self)
         if self.media == "text/html":
@@ -89,14 +91,11 @@ class Outcome:
         return self.written.result(self.run)
 
     def _tell(self):
-        for stage, said in zip(self.run.stages, self.run.said):
-            mark = f"{stage.tool}: warning: "
-            for line in map(self.run.named, said.lines):
-                if line.startswith(mark):
-                    text = f"{stage.tool}: {line.removeprefix(mark)}"
-                    warnings.warn(text, ToolWarning, stacklevel=_calls_above())
-                else:
-                    logging.getLogger("asperity").info(line)
+        for number, stage in enumerate(self.run.stages):
+            for text in self.run.warnings(number):
+                warnings.warn(f"{stage.tool}: {text}", ToolWarning, stacklevel=_calls_above())
+            for note in self.run.notes(number):
+                logging.getLogger("asperity").info(note)
 
 
 def _calls_above():
@@ -139,6 +138,8 @@ def _table(raw, run):
         return _as_dict(values, key)
     out = pandas.DataFrame(values)
     out.attrs = {"units": units, "tool": run.stages[-1].tool}
+    if told := run.warnings(-1):
+        out.attrs["warnings"] = told
     return out.set_index(key) if key else out
 
 

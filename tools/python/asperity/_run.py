@@ -15,7 +15,7 @@ import subprocess
 import time
 
 from . import _progress, _results
-from .errors import OF_STATUS, ToolError
+from .errors import ToolError, kind_of
 
 PIPE_BYTES = 1 << 20
 PATIENCE = 2  # seconds between asking a process to end and ending it
@@ -188,6 +188,16 @@ class Run:
         """A text with the names of the data in place of files in memory."""
         return FILE_IN_MEMORY.sub(lambda path: self.files.get(path[0], path[0]), text) if self.files else text
 
+    def warnings(self, number):
+        """What a tool warned of."""
+        mark = f"{self.stages[number].tool}: warning: "
+        return [self.named(line.removeprefix(mark)) for line in self.said[number].lines if line.startswith(mark)]
+
+    def notes(self, number):
+        """The other lines of a tool."""
+        mark = f"{self.stages[number].tool}: warning: "
+        return [self.named(line) for line in self.said[number].lines if not line.startswith(mark)]
+
     def failure(self, written):
         """The exception, or None: of the first tool that failed by itself, not because its reader had ended."""
         codes = [process.returncode for process in self.processes]
@@ -199,12 +209,12 @@ class Run:
         return self._error(codes.index(3), 3, written.result(self)) if 3 in codes else None
 
     def _error(self, number, code, result):
-        tool, lines = self.stages[number].tool, self.said[number].lines
-        own = [line for line in lines if not line.startswith(f"{tool}: warning: ")] or lines
-        line = self.named(own[-1]) if own else f"{tool}: ended with {code}"
+        tool = self.stages[number].tool
+        own = self.notes(number) or list(map(self.named, self.said[number].lines))
+        line = own[-1] if own else f"{tool}: ended with {code}"
         if code < 0:
             line = f"{tool}: ended by {signal.Signals(-code).name}"
-        return OF_STATUS.get(code, ToolError)(line, tool, code, result)
+        return kind_of(line, code)(line, tool, code, result)
 
 
 def failed(code):

@@ -15,8 +15,8 @@ class Stage:
     def __init__(self, name, options, given=()):
         about = _options.table(name)
         self.name, self.tool, self.path = name, about["tool"], _options.program(name)
-        self.options, self.surfaces = dict(options), _data.inputs(given)
-        self.words = _options.words(about, options)
+        self.options = {option: _data.contents(value) for option, value in options.items()}
+        self.surfaces, self.words = _data.inputs(given), _options.words(about, self.options)
         self.prints_steps = bool(options.get("verbose") or options.get("time"))
         self.prints_tables = any(o["name"] == "json" for o in about["options"])
         if given and not self.surfaces:

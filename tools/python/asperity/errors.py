@@ -1,4 +1,8 @@
 """What can go wrong with a tool, as exceptions: the tool's own line and its exit status."""
+import errno
+import os
+
+NOT_THERE = ": " + os.strerror(errno.ENOENT)  # at the end of a line
 
 
 class ToolError(RuntimeError):
@@ -11,6 +15,15 @@ class ToolError(RuntimeError):
 
     def __str__(self):
         return self.line
+
+
+class NoFile(ToolError, FileNotFoundError):
+    """A file, or the folder that it would be written into, is not there; `filename` is its name."""
+
+    def __init__(self, line, *rest):
+        super().__init__(line, *rest)
+        self.errno, self.strerror = errno.ENOENT, os.strerror(errno.ENOENT)
+        self.filename = line.removesuffix(NOT_THERE).rpartition(": ")[2]
 
 
 class UsageError(ToolError, ValueError):
@@ -34,6 +47,11 @@ class ToolWarning(UserWarning):
 
 
 OF_STATUS = {2: UsageError, 3: NotConverged, 4: BadData}
+
+
+def kind_of(line, status):
+    """Of the exception for a tool's last line and its exit status."""
+    return NoFile if line.endswith(NOT_THERE) and status != 3 else OF_STATUS.get(status, ToolError)
 
 
 def brief(value):
