@@ -109,6 +109,13 @@ class Pickled(support.TestCase):
         self.assertEqual(pickle.loads(pickle.dumps(picture)).media, "image/png")
         self.assertEqual(str(picture), repr(picture))  # was all of its bytes
 
+    def test_the_options_of_a_tool_are_a_type(self):
+        texture: asp.GenerateOptions = asp.GenerateOptions(shape=(9, 9), rq="1um")
+        self.assertEqual(texture, {"shape": (9, 9), "rq": "1um"})
+        self.assertIn("yield_", asp.ContactOptions.__annotations__)
+        self.assertNotIn("datasets", asp.ContactOptions.__annotations__)
+        self.assertRaisesRegex(AttributeError, "no function 'nonsense'", lambda: asp.NonsenseOptions)
+
     def test_other_processes_run_them(self):
         with concurrent.futures.ProcessPoolExecutor(2, multiprocessing.get_context("fork")) as pool:
             found = list(pool.map(area, (1, 2)))

@@ -37,7 +37,7 @@ _accessor.register()
 
 def __getattr__(name):
     from . import _calls
-    return _calls.function(name)
+    return _calls.options_type(name) if name.endswith("Options") else _calls.function(name)
 
 
 def __dir__():

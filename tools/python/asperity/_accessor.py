@@ -27,10 +27,10 @@ class Result(typing.NamedTuple, typing.Generic[T]):
     unit: str
     meaning: str
 
-    def __float__(self):
+    def __float__(self) -> float:
         return float(self.value)
 
-    def __str__(self):
+    def __str__(self) -> str:
         """Rounded to two digits of the error, with the unit."""
         text = f"{self.value:.6g}" if isinstance(self.value, float) else str(self.value)
         if self.error > 0 and self.value:

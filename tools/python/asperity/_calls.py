@@ -1,5 +1,6 @@
 """The functions: one for each tool, and those that put tools together."""
 import functools
+import typing
 
 from . import _data, _options
 from ._stage import Stage, run_pipe
@@ -33,6 +34,12 @@ def _made(name, module, tool, *state):
     call.__module__, call.__doc__ = module, _options.docstring(about)
     call.__signature__ = _options.signature(about)
     return call
+
+
+def options_type(name):
+    """The options of a tool as a type, for annotations: asperity.ContactOptions."""
+    parameters = function(name.removesuffix("Options").lower()).__signature__.parameters.values()
+    return typing.TypedDict(name, {p.name: typing.Any for p in parameters if p.kind == p.KEYWORD_ONLY}, total=False)
 
 
 def pipe(*stages):

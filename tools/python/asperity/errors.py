@@ -1,6 +1,7 @@
 """What can go wrong with a tool, as exceptions: the tool's own line and its exit status."""
 import errno
 import os
+from typing import Any
 
 NOT_THERE = ": " + os.strerror(errno.ENOENT)  # at the end of a line
 
@@ -9,7 +10,7 @@ class ToolError(RuntimeError):
     """A tool failed. `line` is what it printed, `tool` its name, `status` its exit status: 1, input or output
     failed; 127, the tool is not there; negative, a signal ended it."""
 
-    def __init__(self, line, tool="", status=1, result=None):
+    def __init__(self, line: str, tool: str = "", status: int = 1, result: Any = None):
         super().__init__(line, tool, status, result)
         self.line, self.tool, self.status, self.result = line, tool, status, result
 
@@ -20,7 +21,7 @@ class ToolError(RuntimeError):
 class NoFile(ToolError, FileNotFoundError):
     """A file, or the folder that it would be written into, is not there; `filename` is its name."""
 
-    def __init__(self, line, *rest):
+    def __init__(self, line: str, *rest: Any):
         super().__init__(line, *rest)
         self.errno, self.strerror = errno.ENOENT, os.strerror(errno.ENOENT)
         self.filename = line.removesuffix(NOT_THERE).rpartition(": ")[2]
@@ -34,7 +35,7 @@ class NotConverged(ToolError):
     """A solver has not converged (3). `dataset` is its best result, or the table of a tool that prints one."""
 
     @property
-    def dataset(self):
+    def dataset(self) -> Any:
         return self.result
 
 
