@@ -2,6 +2,7 @@
 """The accessor `asp` of datasets, the results that it shows, and functions, stages and results that are pickled."""
 import concurrent.futures
 import copy
+import inspect
 import math
 import multiprocessing
 import pickle
@@ -27,6 +28,8 @@ class Accessor(support.TestCase):
         self.assertTrue(surface.asp.stats(other, compare=True).equals(asp.stats(surface, other, compare=True)))
         self.assertEqual(surface.asp.plot(), asp.plot(surface, kind="map"))
         self.assertEqual(surface.asp.contact.__doc__, asp.contact.__doc__)
+        self.assertEqual(inspect.signature(surface.asp.contact), inspect.signature(asp.contact))
+        self.assertEqual(list(inspect.signature(surface.asp.convert).parameters)[:2], ["from_", "channel"])
         self.assertRaisesRegex(TypeError, "did you mean 'radius'", surface.asp.contact, raduis="1m")
         self.assertRaisesRegex(AttributeError, "did you mean 'contact'", lambda: surface.asp.kontact)
         self.assertEqual(dir(surface.asp), sorted(n for n in dir(asp) if n in dir(asp.stage)))

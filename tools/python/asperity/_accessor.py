@@ -60,6 +60,8 @@ class Tool:
     def __init__(self, data, name):
         self._data, self._function = data, _calls.function(name)
         self._name, self.__doc__ = self._function.__name__.rstrip("_"), self._function.__doc__
+        signature = self._function.__signature__
+        self.__signature__ = signature.replace(parameters=[p for p in signature.parameters.values() if p.name != "dataset"])
 
     def __call__(self, *others, **options):
         return self._function(self._data, *others, **options)
