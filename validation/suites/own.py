@@ -3,6 +3,7 @@ from functools import cached_property
 
 import numpy as np
 from scipy import ndimage
+from scipy.integrate import trapezoid
 
 
 def least_squares(x, y):
@@ -49,8 +50,8 @@ class Map:
         upper, fall = least_squares(q, np.interp(q, p, c))
         lower = upper + fall
         smr1, smr2 = np.interp([-upper, -lower], -c, p)
-        over = lambda level: np.trapz(np.maximum(c - level, 0), p)
-        under = lambda level: np.trapz(np.maximum(level - c, 0), p)
+        over = lambda level: trapezoid(np.maximum(c - level, 0), p)
+        under = lambda level: trapezoid(np.maximum(level - c, 0), p)
         c10, c80 = np.interp([0.1, 0.8], p, c)
         return {"Sk": upper - lower, "Smr1": smr1, "Smr2": smr2,
                 "Spk": 2 * over(upper) / smr1, "Svk": 2 * under(lower) / (1 - smr2),
