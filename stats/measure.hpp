@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "stats/feature/features.hpp"
 #include "stats/measure/parameter.hpp"
 #include "stats/measure/sample.hpp"
 #include "stats/measure/surface.hpp"
@@ -23,7 +24,7 @@
 
 namespace asperity {
 
-enum class Group { height, quantiles, gaussianity, material, hybrid, spatial, profiles };
+enum class Group { height, quantiles, gaussianity, material, hybrid, spatial, profiles, feature };
 
 struct Direction {
   double angle;      ///< from +x towards +y [rad]
@@ -37,6 +38,7 @@ struct MeasureOptions {
   std::array<double, 2> material_ratios{0.1, 0.8};  ///< p, q, the bounds of the core
   double sal_level = 0.2;                           ///< of ρ, for Sal and Str
   std::optional<Direction> direction = {};          ///< for further spectral moments
+  Pruning pruning = {};                             ///< of hills and dales
   Axis1D profiles = Axis1D::x;                      ///< axis of the profiles
   int threads = 1;
 };

@@ -12,6 +12,7 @@
 #include "tools/cli/stream.hpp"
 #include "tools/cli/surface_words.hpp"
 #include "tools/cli/tool.hpp"
+#include "tools/measure/stats_options.hpp"
 #include "tools/plot/figure.hpp"
 #include "tools/plot/source.hpp"
 #include "tools/plot/table.hpp"
@@ -24,11 +25,11 @@ struct Kind {
   const char* name;
   plot::Figure (*describe)(const plot::Cases&, const plot::Request&);
 };
-constexpr Kind kinds[] = {{"map", plot::map},      {"surface", plot::surface},   {"profile", plot::profile},
-                          {"acf", plot::acf},      {"psd", plot::psd},           {"pdf", plot::pdf},
-                          {"qq", plot::qq},        {"abbott", plot::abbott},     {"contact", plot::contact},
-                          {"sweep", plot::sweep},  {"von-mises", plot::section}, {"section", plot::section},
-                          {"maxima", plot::maxima}};
+constexpr Kind kinds[] = {{"map", plot::map},       {"surface", plot::surface},   {"profile", plot::profile},
+                          {"acf", plot::acf},       {"psd", plot::psd},           {"pdf", plot::pdf},
+                          {"qq", plot::qq},         {"abbott", plot::abbott},     {"contact", plot::contact},
+                          {"sweep", plot::sweep},   {"von-mises", plot::section}, {"section", plot::section},
+                          {"maxima", plot::maxima}, {"features", plot::features}};
 
 std::vector<std::string> names_of_kinds() {
   std::vector<std::string> out;
@@ -39,7 +40,7 @@ std::vector<std::string> names_of_kinds() {
 struct Options {
   plot::Request request;
   std::vector<std::string> inputs{"-"};
-  std::string output = "-", labels, scale_by, above;
+  std::string output = "-", labels, scale_by, above, pruning = "5%";
   std::array<double, 2> x{-plot::unlimited, plot::unlimited}, y = x, depth{0, plot::unlimited};
 };
 
@@ -53,7 +54,9 @@ void declare_figure(cli::Tool& tool, Options& o) {
           "of a Gaussian; abbott: material ratio curve with Sk, Spk and Svk; contact: contact states; "
           "sweep: load over approach and area over load, of the table of asperity-contact --sweep; "
           "von-mises: vertical section of this stress; section: vertical section of --variable; maxima: "
-          "largest stress by depth, of a dataset or of the table of asperity-stress --result maxima",
+          "largest stress by depth, of a dataset or of the table of asperity-stress --result maxima; "
+          "features: "
+          "hills and peaks on the map, as asperity-stats --parameters feature has them",
           group)
       .required();
   tool.text(
@@ -72,6 +75,7 @@ void declare_figure(cli::Tool& tool, Options& o) {
                               "Title of the figure; \"\": none. Default: key values", group));
   tool.input_format();
   tool.text("--labels", o.labels, "A,B,...", "Names of the inputs in the figure. Default: file names", group);
+  cli::pruning_option(tool, o.pruning, group);
   tool.flag("--scale-bar", o.request.scale_bar, "Draw a bar of a round length in place of the axes of a map",
             group);
 }
@@ -139,16 +143,17 @@ plot::Range rising(const char* option, std::array<double, 2> range) {
 
 // Each option and the kinds that it changes.
 constexpr std::pair<const char*, std::string_view> uses[] = {
-    {"variable", "map surface profile psd pdf qq abbott contact section von-mises maxima"},
+    {"variable", "map surface profile psd pdf qq abbott contact section von-mises maxima features"},
+    {"pruning", "features"},
     {"section", "profile section von-mises"},
-    {"scale-bar", "map contact"},
-    {"x-range", "map surface profile acf contact section von-mises"},
-    {"y-range", "map surface profile contact section von-mises"},
-    {"range", "map surface profile qq abbott section von-mises maxima"},
+    {"scale-bar", "map contact features"},
+    {"x-range", "map surface profile acf contact section von-mises features"},
+    {"y-range", "map surface profile contact section von-mises features"},
+    {"range", "map surface profile qq abbott section von-mises maxima features"},
     {"depth-range", "section von-mises maxima"},
     {"scale-by", "section von-mises maxima"},
     {"above", "section von-mises"},
-    {"columns", "map surface acf pdf qq abbott contact section von-mises"}};
+    {"columns", "map surface acf pdf qq abbott contact section von-mises features"}};
 
 void require_use(const cli::Tool& tool, const std::string& kind) {
   for (const auto& [option, kinds_with] : uses) {
@@ -168,6 +173,7 @@ plot::Request request_of(const cli::Tool& tool, const Options& o) {
   request.scale_by_hertz = o.scale_by == "p0";
   if (!is_utf8(request.title)) throw cli::UsageError("title", "is not valid UTF-8");
   require_use(tool, request.kind);
+  request.pruning = cli::parse_pruning(o.pruning);
   if (!o.above.empty()) request.above = cli::StressBound(o.above);
   cli::refuse_terminal(o.output, "a picture");
   return request;
@@ -220,7 +226,7 @@ plot::Cases read_cases(const cli::Tool& tool, const Options& o) {
 
 // Of the first case with something to say; all have been drawn.
 void warn_of_heights(const cli::Tool& tool, const plot::Request& request, const plot::Cases& cases) {
-  constexpr std::string_view drawn_by = " map surface profile psd pdf qq abbott ";
+  constexpr std::string_view drawn_by = " map surface profile psd pdf qq abbott features ";
   if (request.variable_or("heights") != "heights" ||
       drawn_by.find(' ' + request.kind + ' ') == std::string_view::npos)
     return;

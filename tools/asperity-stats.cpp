@@ -39,18 +39,22 @@ struct Warnings {
   }
 };
 
-// The groups asked for.
+// The groups asked for; whether there are directions depends on errors.
 Measured measured(const cli::Tool& tool, const std::string& variable, const MeasureOptions& asked,
-                  const Sample& sample) {
+                  Sample& sample, bool errors) {
   Measured out{.rows = {}, .grid = sample.grid(), .size = sample.size()};
   for (const Group group : asked.groups) {
+    sample.need_errors(errors || group == Group::spatial);
     const Parameters rows = measure(sample, group, asked);
-    if (group == Group::hybrid) {
+    if (group == Group::hybrid || group == Group::feature) {
       if (const std::string why = missing(rows); !why.empty()) {
         // The other groups are still printed.
         if (asked.groups.size() == 1) throw DataError(variable, why);
-        out.missing = variable + ": no hybrid parameters: " + why;
+        out.missing += (out.missing.empty() ? variable + ": " : "; ") +
+                       (group == Group::hybrid ? "no hybrid" : "no feature") + " parameters: " + why;
       }
+    }
+    if (group == Group::hybrid) {
       if (const std::string doubt = doubt_of_steps(sample); !doubt.empty())
         out.doubt = variable + ": " + doubt;
     }
@@ -79,8 +83,8 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const
       for (Parameter& row : measure_flat(surface, group, asked)) out.rows.push_back(std::move(row));
     return out;
   }
-  const Sample sample(std::move(surface), tool.thread_count());
-  Measured out = measured(tool, field.variable, asked, sample);
+  Sample sample(std::move(surface), tool.thread_count());
+  Measured out = measured(tool, field.variable, asked, sample, options.errors != "none");
   if (options.errors == "none") drop_errors(out.rows);
   if (!member.alone() && !options.compare) out.sums = map_sums(sample, out.rows, asked);
   return out;

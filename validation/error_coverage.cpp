@@ -95,9 +95,10 @@ void add_distribution(Parameters& out, const Sample& sample) {
 Parameters measured(const Field& heights, int degree, bool spectra) {
   const Grid grid = grid_of(shape_of(heights));
   MeasureOptions options;
-  options.groups = {Group::height, Group::quantiles, Group::material,
-                    Group::hybrid, Group::spatial,   Group::profiles};
+  options.groups = {Group::height,  Group::quantiles, Group::material, Group::hybrid,
+                    Group::spatial, Group::profiles,  Group::feature};
   options.quantiles = {0.02, 0.5, 0.9};
+  options.pruning = {0.3 * micrometre, false};
   const Surface surface = prepared({grid, micrometre * heights}, {.form = {.degree = degree}});
   const Sample sample(surface);
   Parameters out;

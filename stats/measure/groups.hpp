@@ -41,6 +41,7 @@ std::string symbols_of(const Definition<Of> (&table)[N]) {
 std::string height_symbols();
 std::string material_symbols();
 std::string slope_symbols();
+std::string feature_symbols();
 
 /// Texts for {} in symbols and meanings, and reasons for a missing value and a missing error.
 struct Words {
@@ -87,6 +88,8 @@ Parameters profile_derivatives(const Sample& sample, const Estimate& m0);
 std::string steps_in_slopes(double step, double share);
 std::string steps_in_curvatures(double step, double share);
 Parameters spatial_parameters(const Sample& sample, const MeasureOptions& options);
+/// Throws DataError for a field without hills.
+Parameters feature_parameters(const Sample& sample, const MeasureOptions& options);
 /// Named P…, or R… after the L-filter.
 Parameters profile_averages(const Sample& sample, const MeasureOptions& options);
 

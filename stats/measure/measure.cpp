@@ -29,8 +29,8 @@ Parameters measure(const Surface& surface, const MeasureOptions& options) {
 
 Parameters measure(const Sample& sample, Group group, const MeasureOptions& options) {
   // In the order of Group.
-  constexpr std::array groups{height_parameters, quantiles,          gaussianity,     material_parameters,
-                              hybrid_parameters, spatial_parameters, profile_averages};
+  constexpr std::array groups{height_parameters, quantiles,          gaussianity,      material_parameters,
+                              hybrid_parameters, spatial_parameters, profile_averages, feature_parameters};
   return groups.at(static_cast<std::size_t>(group))(sample, options);
 }
 
@@ -38,6 +38,7 @@ std::string symbols(Group group) {
   return group == Group::height     ? height_symbols()
          : group == Group::material ? material_symbols()
          : group == Group::hybrid   ? slope_symbols()
+         : group == Group::feature  ? feature_symbols()
                                     : "";
 }
 
@@ -62,7 +63,7 @@ Parameters measure_flat(const Surface& flat, Group group, const MeasureOptions& 
     if (!std::isfinite(p.value)) continue;
     p.why.clear();
     if (p.name == "mean" || p.name == "N" || p.name == "N_missing" || p.name == "profiles") continue;
-    const bool of_summits = p.name.starts_with("summit_") || p.name.starts_with("nayak_");
+    const bool of_summits = p.name.starts_with("summit_") || p.name.starts_with("nayak_") || p.unit == "m-1";
     p.value = !of_summits && std::abs(twice[i].value) > std::abs(p.value) ? 0 : unknown;
     if (std::isnan(p.value)) p.why = "no value: the surface is flat";
   }

@@ -50,6 +50,7 @@ class Sample {
 
   /// Errors from the field's own long waves; none if parameters need no errors.
   bool needs_errors() const { return errors_; }
+  void need_errors(bool needed) { errors_ = needed; }
   const std::optional<HeightErrors>& height_errors() const;
   /// The share of the variance of the heights that their form took.
   double taken_by_form() const;
@@ -65,10 +66,10 @@ class Sample {
   MaterialRatioCurve material_ratio() const;
   std::array<GoodnessOfFit, 4> goodness_of_fit() const;
   ProfileAverages profiles(Axis1D along, double section) const;
-
- private:
   /// What subtraction may leave of neighbours that are equal.
   double round_off() const;
+
+ private:
   bool taken_from_waves() const { return errors_ && !correlation_gives_errors(); }
 
   Surface surface_;

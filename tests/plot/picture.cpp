@@ -9,7 +9,7 @@ using namespace asperity::test;
 namespace {
 
 constexpr const char* kinds[] = {"map",       "surface", "profile", "acf", "pdf",   "contact",
-                                 "von-mises", "abbott",  "psd",     "qq",  "maxima"};
+                                 "von-mises", "abbott",  "psd",     "qq",  "maxima", "features"};
 
 unsigned big_endian(const std::string& bytes, std::size_t at) {
   unsigned out = 0;
@@ -77,7 +77,8 @@ TEST_CASE("every kind draws an SVG whose axes carry their units", "[plot][contra
                             {"height above the mean [nm]", "material ratio [%]"},
                             {"wave number [rad/mm]", "PSD of profiles [µm³]"},
                             {"height above the mean [nm]", "normal quantile"},
-                            {"depth z [µm]", "largest von Mises [GPa]"}};
+                            {"depth z [µm]", "largest von Mises [GPa]"},
+                            {"height [nm]", "45 hills, Spd"}};
   for (std::size_t k = 0; k < std::size(kinds); ++k) {
     CAPTURE(kinds[k]);
     REQUIRE(plot(std::string("--kind ") + kinds[k] + " -o a.svg").exit == 0);

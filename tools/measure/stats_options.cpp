@@ -8,11 +8,9 @@
 namespace asperity::cli {
 namespace {
 
-constexpr std::pair<const char*, Group> group_names[] = {{"height", Group::height},
-                                                         {"gaussianity", Group::gaussianity},
-                                                         {"material", Group::material},
-                                                         {"hybrid", Group::hybrid},
-                                                         {"spatial", Group::spatial}};
+constexpr std::pair<const char*, Group> group_names[] = {
+    {"height", Group::height}, {"gaussianity", Group::gaussianity}, {"material", Group::material},
+    {"hybrid", Group::hybrid}, {"spatial", Group::spatial},         {"feature", Group::feature}};
 
 std::vector<double> shares(const std::string& list) {
   std::vector<double> out;
@@ -40,6 +38,21 @@ void comparison_option(Tool& tool, bool& compare) {
 
 }  // namespace
 
+void pruning_option(Tool& tool, std::string& pruning, const std::string& group) {
+  tool.text(
+      "--pruning", pruning, "HEIGHT|SHARE%",
+      "Least height of a hill above its saddle, and of a dale below, for features: 20nm, or 5% of Sz. Errors "
+      "need a height, for Sz grows with the field",
+      group);
+}
+
+Pruning parse_pruning(const std::string& text) {
+  if (!text.ends_with('%')) return {parse_quantity("pruning", text, "m"), false};
+  const auto percent = to_number<double>(std::string_view(text).substr(0, text.size() - 1));
+  if (!percent) refuse("pruning", text, "is no share: write 5%, or a height such as 20nm");
+  return {*percent / 100, true};
+}
+
 void StatsOptions::declare(Tool& tool) {
   field.declare(tool);
   std::vector<std::string> words{"all"};
@@ -52,7 +65,10 @@ void StatsOptions::declare(Tool& tool) {
           "naive ones; material: " +
           symbols(Group::material) + "; hybrid: " + symbols(Group::hybrid) +
           ", spectral moments, summits, of a single row or column spectral moments and peaks; spatial: Sal, "
-          "Str, Std, ellipticity",
+          "Str, Std, ellipticity; feature: " +
+          symbols(Group::feature) +
+          ", of hills and dales; areas and volumes of closed ones, beyond the "
+          "median",
       "Parameters");
   tool.choice(
       "--profile", profile, {"x", "y"},
@@ -64,6 +80,7 @@ void StatsOptions::declare(Tool& tool) {
   tool.quantities("--material-ratio", measured.material_ratios, "1",
                   "Material ratios p,q that bound the core; for Vmp, Vmc, Vvc, Vvv, Smc_p and Smc_q",
                   "Parameters");
+  pruning_option(tool, pruning, "Parameters");
   tool.number("--sal-level", measured.sal_level, "Level of R / R(0,0) that defines Sal and Str",
               "Parameters");
   tool.choice(
@@ -83,6 +100,7 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
   out.threads = tool.thread_count();
   check_belonging(tool, out.groups);
   if (compare && errors == "none") throw UsageError("compare", "needs errors; --errors none gives none");
+  out.pruning = parse_pruning(pruning);
   if (!direction.empty()) out.direction = {parse_angle("direction", direction), direction};
   if (!profile.empty()) {
     out.groups = {Group::profiles};
@@ -102,11 +120,12 @@ std::set<Group> StatsOptions::asked_groups() const {
 }
 
 void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& asked) const {
-  for (const char* areal : {"parameters", "quantiles", "material-ratio", "sal-level", "direction"})
+  for (const char* areal : {"parameters", "quantiles", "material-ratio", "sal-level", "pruning", "direction"})
     if (!profile.empty() && tool.given(std::string("--") + areal))
       throw UsageError(areal, "cannot be combined with --profile");
   for (const auto& [option, group, name] : {std::tuple{"material-ratio", Group::material, "material"},
                                             {"sal-level", Group::spatial, "spatial"},
+                                            {"pruning", Group::feature, "feature"},
                                             {"direction", Group::hybrid, "hybrid"}})
     if (tool.given(std::string("--") + option) && !asked.contains(group))
       throw UsageError(option, std::string("needs --parameters ") + name);

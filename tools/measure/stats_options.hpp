@@ -9,10 +9,15 @@
 
 namespace asperity::cli {
 
+/// --pruning, of features.
+void pruning_option(Tool& tool, std::string& pruning, const std::string& group);
+/// Throws ParameterError("pruning", …).
+Pruning parse_pruning(const std::string& text);
+
 struct StatsOptions {
   FieldOptions field = {};
   std::vector<std::string> groups{"height"};
-  std::string quantiles = {}, direction = {};
+  std::string quantiles = {}, direction = {}, pruning = "5%";
   MeasureOptions measured = {};  ///< those that need no further parsing
   std::string errors = "theory";
   bool compare = false;      ///< the first surface with the others

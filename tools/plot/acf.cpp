@@ -20,6 +20,7 @@ constexpr Range everywhere{-unlimited, unlimited};
 struct Profile {
   Column lag = {}, rho = {}, error = {};
 
+  double end() const { return lag.size() > 0 ? lag(lag.size() - 1) : 0; }
   /// Whether a line joins two of its points within the range.
   bool drawn_in(Range range) const {
     const auto there = rho.isFinite() && lag >= range.low && lag <= range.high;
@@ -69,8 +70,8 @@ void read_profiles(const Dataset& data, const char* name, Profile (&out)[2], boo
 
 // Without a target, four 10 % lengths show the whole decay.
 double lag_worth_showing(const Profiles& profiles, const LagField& rho, const Grid& grid) {
-  if (profiles.target[0].lag.size() > 0)
-    return 1.25 * std::max(profiles.target[0].lag.maxCoeff(), profiles.target[1].lag.maxCoeff());
+  if (const double end = std::max(profiles.target[0].end(), profiles.target[1].end()); end > 0)
+    return 1.25 * end;
   const auto x = first_crossing(rho.along_x(), 0.1), y = first_crossing(rho.along_y(), 0.1);
   return x && y ? 4 * std::max(x->lag * grid.dx, y->lag * grid.dy) : unlimited;
 }
@@ -97,6 +98,8 @@ void estimate_profiles(const Dataset& data, Profiles& profiles) {
 Profiles profiles_of(const Case& c) {
   Profiles out;
   if (c.data.has("acf_target")) read_profiles(c.data, "acf_target", out.target, out.in_metres);
+  if (c.data.length("x") == 1) out.target[0] = {};
+  if (c.data.length("y") == 1) out.target[1] = {};
   if (c.data.has("heights"))
     estimate_profiles(c.data, out);
   else
@@ -129,7 +132,7 @@ std::vector<LegendEntry> legend(const std::vector<Profiles>& all) {
   for (std::size_t d = 0; d < 2; ++d)
     if (std::ranges::any_of(all, [&](const Profiles& p) { return p.found[d].drawn_in(everywhere); }))
       out.push_back({line, line_colour(d), d == 0 ? "along x" : "along y"});
-  if (std::ranges::any_of(all, [](const Profiles& p) { return p.target[0].lag.size() > 0; }))
+  if (std::ranges::any_of(all, [](const Profiles& p) { return p.target[0].end() + p.target[1].end() > 0; }))
     out.push_back({dashes, "black", "target"});
   return out;
 }
@@ -149,7 +152,7 @@ Figure acf(const Cases& cases, const Request& request) {
   for (const Case& c : cases) {
     curves.push_back(curves_of(all.emplace_back(profiles_of(c))));
     for (const Profile& found : all.back().found)  // a target may go on beyond
-      if (found.lag.size() > 0) longest = std::max(longest, found.lag.maxCoeff());
+      longest = std::max(longest, found.end());
   }
   for (std::size_t c = 1; c < all.size(); ++c)
     if (all[c].in_metres != all[0].in_metres)

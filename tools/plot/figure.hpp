@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "dataset/dataset.hpp"
+#include "stats/feature/features.hpp"
 #include "tools/cli/section.hpp"
 #include "tools/plot/gnuplot.hpp"
 #include "tools/plot/scale.hpp"
@@ -32,6 +33,7 @@ struct Request {
   std::string range;                                           ///< of values, as typed; empty: from the data
   bool scale_by_hertz = false;                                 ///< stresses in units of p0
   cli::StressBound above;                                      ///< least value shown
+  Pruning pruning = {};                                        ///< of features
   bool scale_bar = false;                                      ///< in place of the axes of a map
   bool titled = false;                                         ///< `title` was given
   std::string title;
@@ -123,6 +125,8 @@ const char* line_colour(std::size_t k);
 /// A field in false colours, scales equal along x and y; several cases share their colours. Where a panel has
 /// fewer pixels than points, they show means of blocks of points, and a note says so.
 Figure map(const Cases& cases, const Request& request);
+/// The map with the hills of the heights, pruned, and their peaks.
+Figure features(const Cases& cases, const Request& request);
 /// The contact state: open, elastic, at the limit pressure; of a block the largest, lest a contact disappear.
 Figure contact(const Cases& cases, const Request& request);
 /// A field in perspective, with heights enlarged by a round factor that the title states.

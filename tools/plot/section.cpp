@@ -145,13 +145,14 @@ void hide_below(Cuts& cuts, const Cases& cases, const Request& request) {
     values = (values >= bound).select(values, std::numeric_limits<double>::quiet_NaN());
     least = std::min(least, bound);
   }
-  if (!(least < cuts.range.high))
+  const double highest = std::ranges::max(cuts.marks, {}, &Mark::value).value;  // at a cell
+  if (!(least < highest))
     throw ParameterError(
-        "above", fmt::format("no value of the section reaches {}; the largest is {}", request.above.label(),
-                             request.scale_by_hertz ? brief(cuts.range.high) + " p₀"
-                                                    : cli::format_quantity(cuts.range.high, "Pa")));
+        "above",
+        fmt::format("no value of the section reaches {}; the largest is {}", request.above.label(),
+                    request.scale_by_hertz ? brief(highest) + " p₀" : cli::format_quantity(highest, "Pa")));
   cuts.above = request.above.label();
-  cuts.colours = {{least, cuts.range.high}, Palette::sequential};
+  cuts.colours = {{least, highest}, Palette::sequential};
 }
 
 Cuts cuts_of(const Cases& cases, const Request& request) {

@@ -184,7 +184,8 @@ double reach(const Patch& patch) { return std::max(patch.x.magnitude(), patch.y.
 
 std::string Section::label() const {
   const Unit unit = unit_for(std::abs(place), "m");
-  return fmt::format("{} = {} {}", along_x ? "y" : "x", brief(place / unit.factor), unit.name);
+  return fmt::format("{} = {}", along_x ? "y" : "x",
+                     place == 0 ? "0" : brief(place / unit.factor) + " " + unit.name);
 }
 
 Section section_of(const Dataset& data, const std::string& text) {
@@ -195,7 +196,8 @@ Section section_of(const Dataset& data, const std::string& text) {
     if (std::isnan(place)) throw DataError(attribute, "is missing: asperity-stress --maximum adds it");
     return place;
   });
-  return {along_x, along_x ? grid.y(index) : grid.x(index), index};
+  const double place = along_x ? grid.y(index) : grid.x(index), spacing = along_x ? grid.dy : grid.dx;
+  return {along_x, std::abs(place) < 1e-6 * spacing ? 0 : place, index};  // round-off of the middle
 }
 
 std::string section_of_all(const Cases& cases, const std::string& section) {

@@ -55,7 +55,7 @@ struct Relief {
   /// With the factor of heights.
   std::string label() const {
     return value.label(quantity.name + level.difference()) +
-           (quantity.unit == "m" ? fmt::format(" × {:.6g}", factor) : "");
+           (quantity.unit == "m" ? " × " + brief(factor) : "");
   }
 };
 
@@ -201,7 +201,7 @@ Figure surface(const Cases& cases, const Request& request) {
   colours.range = {colours.range.low * scale, colours.range.high * scale};
   Figure out = side_by_side(request, cases);
   out.title = relief.quantity.name;
-  if (relief.quantity.unit == "m") out.title += fmt::format(" × {:.6g}", relief.factor);
+  if (relief.quantity.unit == "m") out.title += " × " + brief(relief.factor);
   out.title += colours.words;
   if (relief.block > 1) out.title += fmt::format(", means of {0} × {0} points", relief.block);
   out.in_space = true;

@@ -287,7 +287,7 @@ class PdfOptions(_EachOptions, total=False):
     threads: _Value | None
 
 class PlotOptions(_EachOptions, total=False):
-    kind: Literal["map", "surface", "profile", "acf", "psd", "pdf", "qq", "abbott", "contact", "sweep", "von-mises", "section", "maxima", None]
+    kind: Literal["map", "surface", "profile", "acf", "psd", "pdf", "qq", "abbott", "contact", "sweep", "von-mises", "section", "maxima", "features", None]
     variable: _Value | None
     section: _Value | None
     title: _Value | None
@@ -295,6 +295,7 @@ class PlotOptions(_EachOptions, total=False):
     channel: _Value | None
     from_order: Literal["xy", "yx", None]
     labels: _Value | None
+    pruning: Literal["HEIGHT", "SHARE%", None]
     scale_bar: bool | None
     columns: _Value | None
     pixels: _Value | None
@@ -343,6 +344,7 @@ class StatsOptions(_EachOptions, total=False):
     profile: Literal["x", "y", None]
     quantiles: _Value | None
     material_ratio: _Value | None
+    pruning: Literal["HEIGHT", "SHARE%", None]
     sal_level: _Value | None
     errors: Literal["theory", "none", None]
     direction: _Quantity | None
