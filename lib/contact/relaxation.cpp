@@ -8,7 +8,7 @@
 
 namespace asperity {
 namespace {
-constexpr Index block = Relaxation::block, reach = Relaxation::reach;
+constexpr Index block = Relaxation::block;
 
 Index strips_along(Index cells) { return (cells + block - 1) / block; }
 

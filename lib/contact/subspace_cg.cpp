@@ -201,7 +201,7 @@ bool SubspaceCG::set_too_small() const {
     int driven = 0;
 #pragma omp simd reduction(+ : driven)
     for (Index i = 0; i < b.size; ++i) {
-      const int off_zero = (p[i] <= 0) & (g[i] < level), off_cap = (p[i] >= cap) & (g[i] > level);
+      const int off_zero = int{p[i] <= 0} & int{g[i] < level}, off_cap = int{p[i] >= cap} & int{g[i] > level};
       driven += (in_set[i] ^ 1) & (off_zero | off_cap);
     }
     return driven;

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "dataset/layout.hpp"
 #include "dataset/unread.hpp"

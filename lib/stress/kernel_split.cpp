@@ -127,7 +127,7 @@ FarStress::FarStress(const LoadedBody& body, int threads) {
 
   const WiderCells wider = wider_cells(body, wide, wide);
   const StressSolver solver(wider.body, threads);
-  const auto [nx, ny] = wider.body.grid.shape;
+  const Index nx = wider.body.grid.shape.nx, ny = wider.body.grid.shape.ny;
   const Periodic repeats = body.grid.periodic;
   // The mean pressures, with those within reach around the domain.
   Field p = Field::Zero(nx + 2 * far_reach, ny + 2 * far_reach);

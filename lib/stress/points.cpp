@@ -245,7 +245,7 @@ CellSum::CellSum(LoadedBody body, int threads)
       weights_(body.friction.weights()),
       points_(std::move(body), threads) {
   if (grid_.periodic.any()) return;
-  const auto [nx, ny] = grid_.shape;
+  const Index nx = grid_.shape.nx, ny = grid_.shape.ny;
   const Field& load = points_.body().pressure;
   auto p = [&](Index i, Index j) { return i >= 0 && j >= 0 && i < nx && j < ny ? load(i, j) : 0.0; };
   for (Index i = 0; i <= nx; i += corner_lanes)

@@ -100,7 +100,7 @@ Depth Tiles::depth(double z) {
 }
 
 std::vector<Tiles::Tile> Tiles::tiles() const {
-  const auto [nx, ny] = body_.grid.shape;
+  const Index nx = body_.grid.shape.nx, ny = body_.grid.shape.ny;
   const Periodic repeats = body_.grid.periodic;
   const auto rows = (nx + tile_side - 1) / tile_side, columns = (ny + tile_side - 1) / tile_side;
   std::vector<Tile> out(size(rows * columns));

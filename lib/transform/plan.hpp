@@ -64,7 +64,7 @@ class BasicColumnTransform {
   Index points() const { return n_; }
   Index width() const { return width_; }
   /// No power of two, for the cache.
-  static constexpr Index stride_of(Index n) { return n + 64 / sizeof(Number); }
+  static constexpr Index stride_of(Index n) { return n + 64 / static_cast<Index>(sizeof(Number)); }
   Index stride() const { return stride_of(n_); }
   Index size() const { return width_ * stride(); }
   void forward(const Number* in, Number* out) const;

@@ -44,7 +44,7 @@ class Polynomials {
     variance_ = (n * n - 1) / 12;
     for (Index i = 0; i < points; ++i)
       for (int degree = 0; degree < 3; ++degree)
-        squares_[degree] += std::pow(at(degree, static_cast<double>(i)), 2);
+        squares_[size(degree)] += std::pow(at(degree, static_cast<double>(i)), 2);
   }
 
   double at(int degree, double x) const {
@@ -52,7 +52,7 @@ class Polynomials {
     return degree == 0 ? 1 : degree == 1 ? u : u * u - variance_;
   }
   // Of the points' own sum of squares; of one or two points those of higher degrees vanish.
-  double square(int degree) const { return squares_[degree]; }
+  double square(int degree) const { return squares_[size(degree)]; }
 
  private:
   double middle_, variance_;

@@ -8,6 +8,7 @@
 
 #include "core/words.hpp"
 #include "stats/hybrid/summits.hpp"
+#include "stats/sample/ensemble.hpp"
 #include "stats/spatial/acf_length.hpp"
 
 namespace asperity {

@@ -46,8 +46,7 @@ void to_powers(const PrunedTransform& transform, Complex* block, double scale) {
 
 Field rows_of_powers(const PrunedTransform& transform, std::span<const Complex> powers, int threads) {
   constexpr Index width = PrunedTransform::width;
-  const auto [nx, ny] = transform.field();
-  const Index middle = ny / 2;
+  const Index nx = transform.field().nx, middle = transform.field().ny / 2;
   Field out = large_field({nx / 2 + 1, 2 * middle + 1});
   parallel_ranges(out.rows(), threads, [&](Index begin, Index end, int) {
     for (Index p = begin; p < end; ++p)

@@ -41,8 +41,9 @@ LagWaves::LagWaves(const Field& d, const Grid& grid, Shape max_lag, const FieldE
   const Index along_x = mirrored_blocks(most_x, nx, grid.periodic.x),
               along_y = mirrored_blocks(most_y, ny, grid.periodic.y);
   PairBlocks blocks(d, grid, max_lag, along_x, along_y);
-  const auto [waves, nu] = directions(long_waves, blocks, {{along_x, along_y}, 1, 1, grid.periodic});
-  spectra_ = WaveSpectra(LongWaveNumbers{nu.nu});  // without ridges
+  const auto found = directions(long_waves, blocks, {{along_x, along_y}, 1, 1, grid.periodic});
+  const Eigen::MatrixXd& waves = found.factors;
+  spectra_ = WaveSpectra(LongWaveNumbers{found.numbers.nu});  // without ridges
   const Field none = Field::Zero(max_lag.nx + 1, 2 * max_lag.ny + 1);
   waves_.assign(static_cast<std::size_t>(waves.rows()) + 1, {none, none, none, none});
   for (Index first = 0; first < blocks.count(); first += threads) {

@@ -72,8 +72,8 @@ WaveError WaveSpectra::error(const Eigen::ArrayXd& squares) const {
 Eigen::ArrayXd WaveSpectra::weights(const Eigen::ArrayXd& squares) const {
   if (!(squares.sum() > 0)) return Eigen::ArrayXd::Constant(waves(), 1 / static_cast<double>(waves()));
   const auto [logarithms, p] = posterior(squares);
-  const Eigen::ArrayXd falling = (inverse_.transpose() * p.matrix()).array();
-  return falling * (std::exp((p * logarithms).sum()) / (falling * squares).sum());
+  const Eigen::ArrayXd mixed = (inverse_.transpose() * p.matrix()).array();
+  return mixed * (std::exp((p * logarithms).sum()) / (mixed * squares).sum());
 }
 
 }  // namespace asperity

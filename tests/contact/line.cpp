@@ -101,7 +101,7 @@ TEST_CASE("along a periodic axis pressures act around the domain, across it they
       const Grid grid = oblong(shape, periodic);
       const auto k = make_influence(grid, modulus);
       const Field p = random_field(shape, 1), u = applied(*k, p);
-      const auto [nx, ny] = shape;
+      const Index nx = shape.nx, ny = shape.ny;
       const RepeatedCell cell = periodic.x ? RepeatedCell(1e-6, 2.5e-6, nx, ny, grid.size_y() / 2)
                                            : RepeatedCell(2.5e-6, 1e-6, ny, nx, grid.size_x() / 2);
       auto around = [](Index lag, Index n) { return std::min(std::abs(lag), n - std::abs(lag)); };

@@ -131,7 +131,7 @@ struct Walked {
 };
 
 Walked walked(const Grid& grid, const State& state) {
-  const auto [nx, ny] = grid.shape;
+  const Index nx = grid.shape.nx, ny = grid.shape.ny;
   Walked out;
   std::set<Index> seen;
   for (Index start = 0; start < nx * ny; ++start) {

@@ -63,8 +63,9 @@ LongWaves::Directions directions_of(const Field& z, const Grid& g, const LongWav
 template <class Function>
 double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index p, Index q, Function f) {
   const LongWaves waves(g, extent);
-  const auto [nx, ny] = g.shape;
-  const auto [directions, nu] = directions_of(z, g, waves);
+  const Index nx = g.shape.nx, ny = g.shape.ny;
+  const auto found = directions_of(z, g, waves);
+  const Eigen::MatrixXd& directions = found.factors;
   const Index K = directions.rows();
   double mean = 0, pairs = 0;
   Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(K), means = sums, squares = sums;
@@ -95,7 +96,7 @@ double error_of(const Field& z, const Grid& g, const FieldExtent& extent, Index 
   }
   // A wave's variance over the pairs counts as 0.05 at least.
   const Eigen::ArrayXd variances = (pairs * squares - means.square()).max(0.05 * pairs * pairs);
-  return WaveSpectra(LongWaveNumbers{nu.nu}).error(sums.square() / variances).error;
+  return WaveSpectra(LongWaveNumbers{found.numbers.nu}).error(sums.square() / variances).error;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ LagField oblique() {
 
 // The points (i,j), and the covariance of each with each.
 Eigen::MatrixXd covariance(const LagField& rho, const Grid& g) {
-  const auto [nx, ny] = g.shape;
+  const Index nx = g.shape.nx, ny = g.shape.ny;
   auto lag = [&](Index d, Index n) {
     if (!g.periodic.both()) return d;
     const Index within = (d % n + n) % n;

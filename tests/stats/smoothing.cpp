@@ -238,7 +238,7 @@ Eigen::MatrixXd penalty(Index n, double step, bool periodic, double cutoff) {
 
 // (3) of the header, solved as it stands.
 Field dense(const Field& z, const Grid& grid, double cutoff) {
-  const auto [nx, ny] = grid.shape;
+  const Index nx = grid.shape.nx, ny = grid.shape.ny;
   const Eigen::MatrixXd x = Eigen::MatrixXd::Identity(nx, nx) + penalty(nx, grid.dx, grid.periodic.x, cutoff),
                         y = Eigen::MatrixXd::Identity(ny, ny) + penalty(ny, grid.dy, grid.periodic.y, cutoff);
   Eigen::MatrixXd A(nx * ny, nx * ny);

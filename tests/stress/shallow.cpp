@@ -151,7 +151,7 @@ TEST_CASE("below a load that repeats along both axes no column bears more than t
   for (const auto& [r, top, cx, cy] :
        {std::array{7.8113, 0.9912, 0.683, 33.736}, std::array{10.8985, 0.9817, -29.61, -18.322},
         std::array{13.5276, 0.9811, 35.804, -39.619}})
-    p = p.max(sample(grid, [&](double x, double y) {
+    p = p.max(sample(grid, [r = r, top = top, cx = cx, cy = cy](double x, double y) {
       return top * std::sqrt(std::max(0.0, 1 - ((x - cx) * (x - cx) + (y - cy) * (y - cy)) / (r * r)));
     }));
   const double from = 1.819;

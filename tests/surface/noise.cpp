@@ -56,7 +56,7 @@ TEST_CASE("another seed, surface, stream or row gives other noise", "[noise][con
 // Two first pairs of normal numbers agree by chance with 2⁻⁴⁸ (24-bit mantissas), one of 4500²/2 with 4e-8.
 TEST_CASE("no two of (seed, stream, surface, row) begin alike", "[noise][law]") {
   std::vector<std::pair<double, double>> starts;
-  for (std::uint64_t seed : {0, 1, 2})
+  for (std::uint64_t seed : {0u, 1u, 2u})
     for (std::uint64_t stream : {0u, 1u, 2u, 3u, 0xFFFFFFFFu})
       for (std::uint64_t surface = 0; surface < 100; ++surface)
         for (std::int64_t row : {-1, 0, 1}) {

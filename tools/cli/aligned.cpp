@@ -1,7 +1,6 @@
 // Tables for people: columns of text.
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,8 +76,9 @@ std::size_t total(const std::vector<Shown>& columns) {
 
 // Line 0 is the headings.
 std::string row_of(const std::vector<Shown>& columns, std::size_t line) {
-  return fmt::format(
-      "{}", fmt::join(columns | std::views::transform([&](const Shown& c) { return c.at(line); }), gap));
+  std::string out;
+  for (std::size_t c = 0; c < columns.size(); ++c) out.append(c == 0 ? "" : gap).append(columns[c].at(line));
+  return out;
 }
 
 // ---- tables for people ----
@@ -307,8 +307,8 @@ std::string aligned(const Parameters& parameters, std::size_t width) {
   for (std::size_t r = 0; r < parameters.size(); ++r) {
     const Words pieces = wrapped(one_line(meaning_of(parameters[r])), most);
     out += line(r + 1, pieces.front());
-    for (const std::string& piece : pieces | std::views::drop(in_rows ? 1 : 0))
-      if (!piece.empty()) out += line_of(std::string(start, ' ') + piece, width);
+    for (std::size_t p = in_rows ? 1 : 0; p < pieces.size(); ++p)
+      if (!pieces[p].empty()) out += line_of(std::string(start, ' ') + pieces[p], width);
   }
   return out;
 }

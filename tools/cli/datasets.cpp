@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "core/words.hpp"
 #include "dataset/catalogue.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tools/cli/record.hpp"
 #include "tools/cli/toolbox.hpp"

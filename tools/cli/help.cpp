@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tools/cli/documents.hpp"
 #include "tools/cli/toolbox.hpp"

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <unistd.h>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -74,7 +72,9 @@ std::string meaning_of(const Parameter& row) {
 }
 
 std::string Table::tsv() const {
-  std::string out = fmt::format("# {}\n", fmt::join(columns | std::views::transform(heading), "\t"));
+  std::string out = "#";
+  for (const Column& column : columns) out += (out == "#" ? " " : "\t") + heading(column);
+  out += '\n';
   for (std::size_t r = 0; r < rows.size(); ++r)
     for (std::size_t c = 0; c < columns.size(); ++c)
       out += (is_bound(r, c) ? "<" : "") + text_of(rows[r][c]) + (c + 1 < columns.size() ? "\t" : "\n");

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "contact/energy.hpp"
 #include "tools/cli/output_name.hpp"

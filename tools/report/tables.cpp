@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/words.hpp"
 #include "dataset/layout.hpp"

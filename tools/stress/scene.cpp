@@ -86,7 +86,7 @@ StressScene scene_of(const StressOptions& options, Dataset data, const Ranks& ra
   friction.check();
   shared = &shared_rows(grid.shape, ranks).ranks();
   const Extent own = scene.body.rows().own();
-  agree(*shared, [&] { pressure = field_of(scene.data, "pressure", "Pa", own); });
+  agree(*shared, [&] { scene.body.pressure = field_of(scene.data, "pressure", "Pa", own); });
   poisson = poisson_of(options, scene.data);
   agree(*shared, [&] { refuse_tension(scene.body.pressure, own.first); });
   if (!options.above.empty())

@@ -51,8 +51,7 @@ class RowsToFirst {
       if (filled_[k].exchange(false)) filled.push_back(k);
     filled = gathered(ranks_, filled);
     std::ranges::sort(filled);
-    const auto again = std::ranges::unique(filled);
-    filled.erase(again.begin(), again.end());
+    filled.erase(std::unique(filled.begin(), filled.end()), filled.end());
     for (const std::size_t k : filled)
       for (int r = 1; r < ranks_.count(); ++r) send(k, r, begin, columns, take);
   }
