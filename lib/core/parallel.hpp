@@ -8,6 +8,7 @@
 #include <exception>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/field.hpp"
@@ -25,6 +26,27 @@ inline int resolve_threads(int requested) {
   return requested > 0 ? requested : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// Threads that have ended when this object does, as std::jthread, which libc++ has from version 20 on.
+class JoinedThreads {
+ public:
+  JoinedThreads() = default;
+  ~JoinedThreads() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+  JoinedThreads(const JoinedThreads&) = delete;
+  JoinedThreads& operator=(const JoinedThreads&) = delete;
+
+  /// Throws std::system_error where the system gives no thread.
+  template <class Work>
+  void start(Work&& work) {
+    threads_.emplace_back(std::forward<Work>(work));
+  }
+  std::size_t size() const { return threads_.size(); }
+
+ private:
+  std::vector<std::thread> threads_ = {};
+};
+
 /// Calls run(begin, end, worker) on runs that cover [0, count); worker < threads selects a buffer. Costs 30
 /// µs per thread. Rethrows the first exception. If a thread cannot start for lack of memory, the caller does
 /// its run.
@@ -37,7 +59,7 @@ void parallel_ranges(Index count, int threads, Run run) {
   }
   std::vector<std::exception_ptr> failures(static_cast<std::size_t>(workers));
   {
-    std::vector<std::jthread> pool;
+    JoinedThreads pool;
     auto guarded = [&](Index w) {
       try {
         run(w * count / workers, (w + 1) * count / workers, static_cast<int>(w));
@@ -46,7 +68,7 @@ void parallel_ranges(Index count, int threads, Run run) {
       }
     };
     for (Index w = 1; w < workers; ++w) try {
-        pool.emplace_back(guarded, w);
+        pool.start([&guarded, w] { guarded(w); });
       } catch (const std::system_error&) {
         guarded(w);
       }

@@ -79,11 +79,64 @@ std::string in_digits(double value, int most) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value, general, most).ptr};
 }
 
-// from_chars does not say which of the two it is. Independent of the locale of the process.
-double beyond_range(std::string_view number) {
+namespace {
+
+// Independent of the locale of the process.
+double to_double(const std::string& text, char** end) {
   static const locale_t c = ::newlocale(LC_ALL_MASK, "C", nullptr);
-  return ::strtod_l(std::string(number).c_str(), nullptr, c);
+  return ::strtod_l(text.c_str(), end, c);
 }
+
+}  // namespace
+
+// from_chars does not say which of the two it is.
+double beyond_range(std::string_view number) { return to_double(std::string(number), nullptr); }
+
+#if defined(__cpp_lib_to_chars) && !defined(ASPERITY_PORTABLE)
+
+std::from_chars_result read_number(std::string_view text, double& number) {
+  return std::from_chars(text.data(), text.data() + text.size(), number);
+}
+
+#else
+
+namespace {
+
+// The characters at the beginning that may be a number: strtod knows blanks, a plus and hexadecimal digits.
+std::string_view number_at_begin(std::string_view text) {
+  constexpr std::string_view digits = "0123456789";
+  const auto is_one_of = [&](std::size_t i, std::string_view characters) {
+    return i < text.size() && characters.find(text[i]) != characters.npos;
+  };
+  const auto behind = [&](std::size_t i, std::string_view characters) {
+    return std::min(text.find_first_not_of(characters, i), text.size());
+  };
+  const std::size_t sign = is_one_of(0, "-") ? 1 : 0;
+  if (is_one_of(sign, "iInN")) return text.substr(0, behind(sign, "infatyINFATY"));
+  const std::size_t whole = behind(sign, digits),
+                    all = is_one_of(whole, ".") ? behind(whole + 1, digits) : whole;
+  if (!is_one_of(all, "eE")) return text.substr(0, all);
+  return text.substr(0, behind(all + (is_one_of(all + 1, "+-") ? 2 : 1), digits));
+}
+
+}  // namespace
+
+std::from_chars_result read_number(std::string_view text, double& number) {
+  const std::string word(number_at_begin(text));
+  char* end = nullptr;
+  const double found = to_double(word, &end);
+  const auto length = static_cast<std::size_t>(end - word.c_str());
+  const std::string_view mantissa = text.substr(0, std::min(word.find_first_of("eE"), length));
+  const bool is_zero = mantissa.find_first_of("123456789") == mantissa.npos,
+             is_infinity = mantissa.find_first_of("iI") != mantissa.npos;
+  if (length == 0) return {text.data(), std::errc::invalid_argument};
+  if ((std::isinf(found) && !is_infinity) || (found == 0 && !is_zero))
+    return {text.data() + length, std::errc::result_out_of_range};
+  number = found;
+  return {text.data() + length, std::errc()};
+}
+
+#endif
 
 std::string counted(std::int64_t count, std::string_view thing) {
   return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");

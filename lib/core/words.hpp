@@ -24,13 +24,19 @@ struct Leading {
   bool found = false, in_range = false;
 };
 
+/// As std::from_chars, of which libc++ has only that of whole numbers.
+std::from_chars_result read_number(std::string_view text, double& number);
 /// Zero or an infinity, for text of a number that is too small or too large.
 double beyond_range(std::string_view number);
 
 template <class T>
 Leading<T> leading_number(std::string_view text) {
   Leading<T> out;
-  const std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), out.number);
+  std::from_chars_result read{};
+  if constexpr (std::is_floating_point_v<T>)
+    read = read_number(text, out.number);
+  else
+    read = std::from_chars(text.data(), text.data() + text.size(), out.number);
   out.rest = text.substr(static_cast<std::size_t>(read.ptr - text.data()));
   out.found = read.ec != std::errc::invalid_argument;
   out.in_range = read.ec == std::errc();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <gsl/gsl_sf_bessel.h>
+
 namespace asperity {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr double beta = 0.75 * std::numbers::pi * bell_width;  // the bell's spe
 
 double bell(double x) {
   const double u = 2 * x / bell_width;
-  return std::abs(u) < 1 ? std::cyl_bessel_i(0.0, beta * std::sqrt(1 - u * u)) : 0;
+  return std::abs(u) < 1 ? gsl_sf_bessel_I0(beta * std::sqrt(1 - u * u)) : 0;
 }
 
 }  // namespace

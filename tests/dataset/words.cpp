@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "dataset/units.hpp"
 #include "support.hpp"
@@ -26,6 +27,25 @@ TEST_CASE("a word is a number as a whole or not at all, and what lies beyond the
     CHECK(!to_number<int>(none));
   }
   CHECK(!to_number<double>("1e400"));
+  for (const auto& [text, length, number] : {std::tuple{"5.x", 2, 5.0},
+                                             {".5", 2, 0.5},
+                                             {"-.5e1", 5, -5.0},
+                                             {"1e+", 1, 1.0},
+                                             {"1.2.3", 3, 1.2},
+                                             {"0x1p3", 1, 0.0},
+                                             {"0e999", 5, 0.0},
+                                             {"4.9e-324", 8, 4.9e-324},
+                                             {"inf", 3, HUGE_VAL},
+                                             {"-Infinity", 9, -HUGE_VAL},
+                                             {"inform", 3, HUGE_VAL}}) {
+    CAPTURE(text);
+    const auto read = leading_number<double>(text);
+    CHECK((read.in_range && read.number == number &&
+           read.rest == std::string_view(text).substr(std::size_t(length))));
+  }
+  for (const char* none : {"-", ".", "e5", "--1", "\t1", "i", "-+1", ""})
+    CHECK(!leading_number<double>(none).found);
+  CHECK(std::isnan(leading_number<double>("NaN").number));
   CHECK(!to_number<std::uint64_t>("-1"));
   const auto large = leading_number<double>("-1e400 m"), small = leading_number<double>("1e-400m");
   CHECK((large.found && !large.in_range && large.number == -HUGE_VAL && large.rest == " m"));

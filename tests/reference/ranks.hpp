@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <barrier>
 #include <exception>
-#include <thread>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "core/ranks.hpp"
 
 namespace asperity::test {
@@ -21,9 +21,9 @@ class ThreadRanks {
     const int count = static_cast<int>(pieces_.size());
     std::vector<std::exception_ptr> failures(pieces_.size());
     {
-      std::vector<std::jthread> threads;
+      JoinedThreads threads;
       for (int r = 0; r < count; ++r)
-        threads.emplace_back([&, r] {
+        threads.start([&, r] {
           try {
             work(One(*this, r));
           } catch (...) {

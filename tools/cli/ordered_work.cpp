@@ -1,10 +1,8 @@
 #include "tools/cli/ordered_work.hpp"
 
 #include <algorithm>
-#include <system_error>
+#include <exception>
 #include <utility>
-
-#include "core/parallel.hpp"
 
 namespace asperity::cli {
 
@@ -36,27 +34,30 @@ void in_order(Action action) {
   left_by_piece->push_back(std::move(action));
 }
 
-// Where the system gives no thread, those that there are do the work, or add() does.
+// Where the system gives no thread, or no memory for one, those that there are do the work, or add() does.
 OrderedWork::OrderedWork(int at_once) : at_once_(static_cast<std::size_t>(at_once)) {
   if (at_once == 1) return;
   try {
-    while (threads_.size() < at_once_)
-      threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
-  } catch (const std::system_error&) {
+    while (threads_.size() < at_once_) threads_.start([this] { serve(); });
+  } catch (const std::exception&) {
     at_once_ = std::max<std::size_t>(threads_.size(), 1);
   }
 }
 
 OrderedWork::~OrderedWork() {
-  for (std::jthread& thread : threads_) thread.request_stop();
+  {
+    const std::scoped_lock lock(mutex_);
+    ending_ = true;
+  }
+  added_.notify_all();
 }
 
-void OrderedWork::serve(const std::stop_token& stop) {
+void OrderedWork::serve() {
   work_alone();
   for (;;) {
     std::unique_lock lock(mutex_);
-    const bool any = added_.wait(lock, stop, [this] { return begun_ < pieces_.size(); });
-    if (!any || stop.stop_requested()) return;
+    added_.wait(lock, [this] { return ending_ || begun_ < pieces_.size(); });
+    if (ending_) return;
     Piece& piece = *pieces_[begun_++];
     lock.unlock();
     left_by_piece = &piece.left;
@@ -65,7 +66,7 @@ void OrderedWork::serve(const std::stop_token& stop) {
 }
 
 void OrderedWork::add(std::function<Action()> work) {
-  if (threads_.empty()) return work()();
+  if (threads_.size() == 0) return work()();
   while (pieces_.size() >= 2 * at_once_) take_first();
   {
     const std::scoped_lock lock(mutex_);

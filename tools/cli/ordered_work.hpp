@@ -23,10 +23,10 @@
 #include <future>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 #include "core/field.hpp"
+#include "core/parallel.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -65,15 +65,16 @@ class OrderedWork {
     std::future<void> end = work.get_future();
     std::vector<Action> left = {};  ///< for the thread that takes them
   };
-  void serve(const std::stop_token& stop);
+  void serve();
   void take_first();
 
   std::size_t at_once_;
   std::mutex mutex_ = {};
-  std::condition_variable_any added_ = {};
+  std::condition_variable added_ = {};              ///< a piece, or the end
   std::deque<std::unique_ptr<Piece>> pieces_ = {};  ///< in order; the first `begun_` have a thread
   std::size_t begun_ = 0;
-  std::vector<std::jthread> threads_ = {};
+  bool ending_ = false;
+  JoinedThreads threads_ = {};
 };
 
 }  // namespace asperity::cli
