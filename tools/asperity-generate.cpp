@@ -1,8 +1,8 @@
 /// Draws random rough surfaces with a prescribed autocorrelation.
 #include <algorithm>
-#include <malloc.h>
 #include <utility>
 
+#include "core/os.hpp"
 #include "dataset/unread.hpp"
 #include "tools/cli/file_identity.hpp"
 #include "tools/cli/ordered_work.hpp"
@@ -73,18 +73,10 @@ bool has_default_model(const cli::Tool& tool, const cli::GenerateOptions& option
   return solved && !chosen && kernel.text("kernel_target") == "exponential";
 }
 
-// From here on a freed block of 1 MiB or more goes back to the system at once, as those of a map and its
-// autocorrelation before twins are drawn. Else glibc comes to keep blocks of up to 32 MiB.
-void return_freed_memory() {
-#ifdef M_MMAP_THRESHOLD
-  ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
-#endif
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  return_freed_memory();
+  os::return_freed_memory();  // of a map and its autocorrelation, before twins are drawn
   cli::Tool tool(
       "asperity-generate",
       "Draws random rough surfaces with a prescribed autocorrelation and height distribution: those of "

@@ -11,7 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "core/os.hpp"
 #include "tools/cli/hints.hpp"
+#include "tools/cli/program.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/cli/toolbox.hpp"
@@ -26,9 +28,18 @@ const std::string prefix = "asperity-";
 
 bool is_tool(const std::string& word) { return !cli::summary_of(prefix + word).empty(); }
 
-// The programs and pages that were installed, or built, together with this one.
-fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
-fs::path pages() { return own_folder().parent_path() / "share" / "doc" / "asperity"; }
+fs::path own_folder;  // with the programs and pages that were installed, or built, together with this one
+
+// Where the system does not tell it, from the name by which this program was called.
+fs::path folder_of_program(const std::string& called) {
+  const std::string own = os::own_program();
+  if (!own.empty()) return fs::path(own).parent_path();
+  std::error_code none;
+  const bool named = called.find('/') == called.npos;
+  return fs::canonical(named ? cli::program_path(called) : called, none).parent_path();
+}
+
+fs::path pages() { return own_folder.parent_path() / "share" / "doc" / "asperity"; }
 
 [[noreturn]] void become(const std::string& program, std::vector<std::string> arguments) {
   std::vector<char*> words;
@@ -88,7 +99,7 @@ std::string list_of_words() {
 }
 
 int open_manual(const std::string& tool) {
-  const std::string program = own_folder() / (prefix + tool);
+  const std::string program = own_folder / (prefix + tool);
   if (!cli::stdout_is_terminal()) become(program, {program, "--help"});
   become("/bin/sh", {"sh", "-c", show_manual, program});
 }
@@ -123,9 +134,10 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  own_folder = folder_of_program(argc > 0 ? argv[0] : "");
   if (argc > 1 && is_tool(argv[1])) {
     std::vector<std::string> arguments(argv + 1, argv + argc);
-    const std::string program = own_folder() / (prefix + arguments[0]);
+    const std::string program = own_folder / (prefix + arguments[0]);
     arguments[0] = program;
     become(program, std::move(arguments));
   }

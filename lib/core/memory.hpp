@@ -4,29 +4,21 @@
 /// 2 MiB, if the system provides them on request.
 #pragma once
 
-#include <cstdint>
 #include <new>
 #include <sys/mman.h>
 #include <vector>
 
 #include "core/field.hpp"
+#include "core/os.hpp"
 
 namespace asperity {
-
-/// For memory not yet accessed; has no effect on small blocks, or if the system refuses.
-inline void prefer_large_pages(void* memory, std::size_t bytes) {
-  constexpr std::size_t page = std::size_t{2} << 20;
-  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
-  if (bytes < before + page) return;
-  ::madvise(static_cast<char*>(memory) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
-}
 
 /// A list of n zeros in such pages.
 template <class Element>
 std::vector<Element> large_list(std::size_t n) {
   std::vector<Element> out;
   out.reserve(n);
-  prefer_large_pages(out.data(), n * sizeof(Element));
+  os::prefer_large_pages(out.data(), n * sizeof(Element));
   out.resize(n);
   return out;
 }
@@ -34,7 +26,7 @@ std::vector<Element> large_list(std::size_t n) {
 /// A field in such pages, not initialised.
 inline Field large_field(Shape shape) {
   Field out(shape.nx, shape.ny);
-  prefer_large_pages(out.data(), size(out.size()) * sizeof(double));
+  os::prefer_large_pages(out.data(), size(out.size()) * sizeof(double));
   return out;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
-#include <new>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/os.hpp"
 
 namespace asperity {
 
@@ -51,13 +51,9 @@ char* Bytes::room(std::size_t more) {
 
 // Reserves address space only: untouched pages take no memory.
 void Bytes::grow(std::size_t capacity) {
-  void* grown = data_ ? ::mremap(data_, capacity_, capacity, MREMAP_MAYMOVE)
-                      : ::mmap(nullptr, capacity, PROT_READ | PROT_WRITE,
-                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (grown == MAP_FAILED) throw std::bad_alloc();
-  data_ = static_cast<char*>(grown);
+  data_ = static_cast<char*>(os::grown(data_, capacity_, capacity));
   capacity_ = capacity;
-  ::madvise(data_, capacity_, MADV_HUGEPAGE);
+  os::prefer_large_pages(data_, capacity_);
 }
 
 void refuse_rest(std::string_view rest, const std::string& variable) {

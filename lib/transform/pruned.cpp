@@ -5,9 +5,6 @@
 #include "core/memory.hpp"
 
 namespace asperity {
-namespace {
-constexpr Index width = PrunedTransform::width;
-}
 
 template <class Real>
 BasicPrunedTransform<Real>::BasicPrunedTransform(Shape field, Shape torus, Ways ways, const Ranks& ranks)
@@ -24,7 +21,7 @@ auto BasicPrunedTransform<Real>::half_spectrum() const -> HalfSpectrum {
   const std::size_t room = size(half_size());
   HalfSpectrum out;
   out.reserve(room);
-  prefer_large_pages(out.data(), room * sizeof(Number));
+  os::prefer_large_pages(out.data(), room * sizeof(Number));
   out.resize(room);
   return out;
 }

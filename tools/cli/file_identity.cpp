@@ -1,13 +1,11 @@
 #include "tools/cli/file_identity.hpp"
 
-#include <fcntl.h>
 #include <filesystem>
-#include <linux/magic.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <system_error>
 #include <unistd.h>
 
+#include "core/os.hpp"
 #include "core/words.hpp"
 
 namespace asperity::cli {
@@ -15,18 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool stands_for_open_file(const fs::path& link) {
-  const int fd = ::open(link.c_str(), O_PATH | O_NOFOLLOW | O_CLOEXEC);
-  struct statfs system {};
-  const bool found = fd >= 0 && ::fstatfs(fd, &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
-  if (fd >= 0) ::close(fd);
-  return found;
-}
-
-// The number of a link of /proc among the files of this process, or -1.
+// The number of such a link among the files of this process, or -1.
 int own_descriptor(const fs::path& link) {
   std::error_code none;
-  const bool own = fs::equivalent(link.parent_path(), "/proc/self/fd", none);
+  const bool own = fs::equivalent(link.parent_path(), os::descriptor_folder(), none);
   return own ? to_number<int>(link.filename().native()).value_or(-1) : -1;
 }
 
@@ -46,7 +36,7 @@ OutputTarget output_target(const std::string& name) {
   std::error_code none;
   fs::path target = name;
   for (int links = 0; links < 40 && fs::is_symlink(target, none); ++links) {
-    if (stands_for_open_file(target)) {
+    if (os::is_open_file(target)) {
       const int own = own_descriptor(target);
       return {own < 0 ? OutputTarget::Kind::other : OutputTarget::Kind::descriptor, target, own};
     }

@@ -88,7 +88,7 @@ Map map_through_gwyddion(std::string_view bytes, const std::string& name, const 
         "map",
         "unknown format: neither the first bytes nor the file extension identifies it. Gwyddion reads "
         "a hundred more: install it (package gwyddion of Debian), and Asperity reads through it");
-  const std::string own = path_of(name), path = own.empty() ? std::string(input_file) : own;
+  const std::string own = path_of(name), path = own.empty() ? input_file : own;
   const ProgramLimits limits = limits_of(bytes.size(), reading.memory);
   ProgramRun run = run_program(program, {fmt::format("--convert-to-gwy={}", output_file), path},
                                own.empty() ? bytes : std::string_view(), limits);

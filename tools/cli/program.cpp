@@ -8,7 +8,6 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <thread>
@@ -28,7 +27,7 @@ using namespace std::chrono_literals;
 constexpr int output_fd = 3, input_fd = 4, cannot_start = 127;
 constexpr std::size_t most_messages = 16384;
 
-OpenFile file_in_memory(const char* name) { return {::memfd_create(name, MFD_CLOEXEC), "a file in memory"}; }
+OpenFile file_in_memory() { return {os::file_in_memory(), "a file in memory"}; }
 
 // The environment, of nothing that is the user's.
 std::vector<std::string> environment() {
@@ -68,7 +67,7 @@ struct Files {
   ::dup2(files.messages, STDERR_FILENO);
   ::dup2(files.output, output_fd);
   ::dup2(files.input, input_fd);
-  ::close_range(input_fd + 1, ~0U, 0);
+  os::close_from(input_fd + 1);
   lower_limit(RLIMIT_CPU, limits.seconds);
   lower_limit(RLIMIT_AS, limits.memory);
   lower_limit(RLIMIT_FSIZE, limits.memory);
@@ -126,9 +125,10 @@ std::string program_path(const std::string& name) {
 ProgramRun run_program(const std::string& path, const std::vector<std::string>& arguments,
                        std::string_view input, ProgramLimits limits) {
   const EndOfChildren heard;
-  const OpenFile output = file_in_memory("output"), given = file_in_memory("input"),
+  const OpenFile output = file_in_memory(), given = file_in_memory(),
                  nowhere(::open("/dev/null", O_RDONLY | O_CLOEXEC), "/dev/null");
   write_to(given.fd(), input, "a file in memory");
+  ::lseek(given.fd(), 0, SEEK_SET);  // not every system opens it anew by its path
   auto [read_end, write_end] = pipe_ends();
   std::vector<std::string> words{path}, variables = environment();
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -146,8 +146,7 @@ ProgramRun run_program(const std::string& path, const std::vector<std::string>& 
   ::kill(-child, SIGKILL);
   const int status = status_of(child);
   out.end = in_time ? meaning_of(status) : ProgramRun::End::too_long;
-  if (out.end == ProgramRun::End::done)
-    out.output = Bytes::mapped("/proc/self/fd/" + std::to_string(output.fd()));
+  if (out.end == ProgramRun::End::done) out.output = Bytes::mapped(os::descriptor_path(output.fd()));
   return out;
 }
 

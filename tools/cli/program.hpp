@@ -6,13 +6,15 @@
 /// its address space, its processor time, its elapsed time, and what it writes. Its output is a file in
 /// memory without a name: nothing is left behind, whatever ends the run.
 ///
-/// Scope     one thread at a time; Linux. Its own children outlive it where this process is killed.
+/// Scope     one thread at a time. Its own children outlive it where this process is killed; elsewhere than
+///           on Linux so does the program itself.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/os.hpp"
 #include "dataset/bytes.hpp"
 
 namespace asperity::cli {
@@ -30,7 +32,7 @@ struct ProgramRun {
 };
 
 /// Files of the program: what it should write, and `input` as a file.
-inline constexpr std::string_view output_file = "/proc/self/fd/3", input_file = "/proc/self/fd/4";
+inline const std::string output_file = os::descriptor_path(3), input_file = os::descriptor_path(4);
 
 /// The path of a program that a shell would find, or "".
 std::string program_path(const std::string& name);

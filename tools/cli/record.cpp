@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <string_view>
 #include <sys/resource.h>
 
@@ -13,6 +12,7 @@
 
 #include "acf/kernel.hpp"
 #include "core/error.hpp"
+#include "core/os.hpp"
 #include "core/words.hpp"
 #include "dataset/netcdf.hpp"
 #include "tools/cli/quantity.hpp"
@@ -37,14 +37,6 @@ Json json_of(const Values& values) {
 
 double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-}
-
-// The system's own count begins with the peak of the process that started this one, perhaps some GB.
-long peak_kibibytes(const rusage& own) {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (long peak = 0; word == "VmHWM:" && status >> peak) return peak;
-  return own.ru_maxrss;
 }
 
 }  // namespace
@@ -97,7 +89,8 @@ std::string usage_of_run(double wall_seconds) {
   getrusage(RUSAGE_CHILDREN, &children);
   const double user = seconds(own.ru_utime) + seconds(children.ru_utime);
   const double system = seconds(own.ru_stime) + seconds(children.ru_stime);
-  const auto kibibytes = static_cast<std::size_t>(std::max(peak_kibibytes(own), children.ru_maxrss));
+  const long told = os::peak_kibibytes(), peak = told > 0 ? told : own.ru_maxrss;
+  const auto kibibytes = static_cast<std::size_t>(std::max(peak, children.ru_maxrss));
   return fmt::format("{:.3g} s, CPU {:.3g} s ({:.3g} s user, {:.3g} s system), peak memory {}", wall_seconds,
                      user + system, user, system, format_bytes(1024 * kibibytes));
 }

@@ -3,11 +3,9 @@
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
-#include <fstream>
 #include <mutex>
 #include <new>
 #include <string_view>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -15,6 +13,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/os.hpp"
 #include "tools/cli/stream.hpp"
 
 namespace asperity::cli {
@@ -29,7 +28,7 @@ void OpenFile::close() {
 
 std::array<OpenFile, 2> pipe_ends() {
   int ends[2] = {-1, -1};
-  static_cast<void>(::pipe2(ends, O_CLOEXEC));
+  os::open_pipe(ends);
   return {OpenFile(ends[0], "a pipe"), OpenFile(ends[1], "a pipe")};
 }
 
@@ -41,17 +40,17 @@ EndOfChildren::EndOfChildren() {
 
 EndOfChildren::~EndOfChildren() { ::sigaction(SIGCHLD, &former_, nullptr); }
 
-void lower_limit(int resource, rlim_t bound) {
+void lower_limit(decltype(RLIMIT_CPU) resource, rlim_t bound) {
   struct rlimit limit {};
-  ::getrlimit(static_cast<__rlimit_resource>(resource), &limit);
+  ::getrlimit(resource, &limit);
   if (limit.rlim_max != RLIM_INFINITY && limit.rlim_max < bound) bound = limit.rlim_max;
   limit.rlim_cur = limit.rlim_max = bound;
-  ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
+  ::setrlimit(resource, &limit);
 }
 
 void begin_child(pid_t parent, int failed) {
   for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  os::end_with_parent();
   if (::getppid() != parent) ::_exit(failed);
   lower_limit(RLIMIT_CORE, 0);
 }
@@ -68,17 +67,10 @@ namespace {
 // How a child ends that could say so, apart from what a library ends with.
 enum Ending { finished = 0, refused = 101, out_of_memory = 102, failed = 103 };
 
-// Bytes of address space; 0 where the system does not tell. The address sanitizer takes more than it needs.
-std::size_t address_space() {
-  std::size_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
-
 void confine(WorkLimits limits, pid_t parent, std::size_t present) {
   begin_child(parent, failed);
   lower_limit(RLIMIT_CPU, limits.seconds);
-  if (present > 0) lower_limit(RLIMIT_AS, present + limits.memory);
+  if (present > 0) lower_limit(RLIMIT_AS, present + limits.memory);  // else the system does not tell it
   if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
@@ -119,7 +111,7 @@ Bytes run_in_sandbox(const WorkOfBytes& work, WorkLimits limits, const std::stri
   const std::scoped_lock lock(one_at_a_time);
   auto [read_end, write_end] = pipe_ends();
   const EndOfChildren heard;
-  const std::size_t present = address_space();
+  const std::size_t present = os::address_space();
   const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "a process of its own");
   if (child == 0) {

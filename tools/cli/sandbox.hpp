@@ -60,7 +60,7 @@ class EndOfChildren {
 /// Ends the child with `failed` where the parent is gone already.
 void begin_child(pid_t parent, int failed);
 /// Lowers a limit of this process for good; a lower one stays.
-void lower_limit(int resource, rlim_t bound);
+void lower_limit(decltype(RLIMIT_CPU) resource, rlim_t bound);
 /// Waits for the end of a child. Throws std::system_error where there is none.
 int status_of(pid_t child);
 

@@ -19,15 +19,13 @@
 
 #include "core/error.hpp"
 #include "core/launch.hpp"
+#include "core/os.hpp"
 #include "core/words.hpp"
 #include "formats/gzip.hpp"
 #include "tools/cli/file_identity.hpp"
 
 namespace asperity::cli {
 namespace {
-
-// Where a file without a name can be found to be given one.
-constexpr const char* own_descriptors = "/proc/self/fd";
 
 [[noreturn]] void fail(const std::string& what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -74,7 +72,7 @@ Bytes read_to_end(int fd, const std::string& name, const MemoryBound& memory) {
   constexpr std::size_t chunk = 1 << 20;
   struct stat status {};
   const bool regular = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
-  if (!regular) ::fcntl(fd, F_SETPIPE_SZ, static_cast<int>(chunk));  // where it is a pipe
+  if (!regular) os::widen_pipe(fd, static_cast<int>(chunk));
   const std::size_t whole = regular ? static_cast<std::size_t>(status.st_size) + 1 : 0;
   memory.require(static_cast<double>(regular ? status.st_size : 0), name);
   for (Bytes bytes;;) {
@@ -209,8 +207,7 @@ void OutputFile::open_replacement() {
   if (present && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(name_);
   const mode_t mode = present ? 0600 : 0666;
   const auto folder = std::filesystem::path(target_).parent_path();
-  if (::access(own_descriptors, X_OK) == 0)
-    fd_ = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, mode);
+  fd_ = os::unnamed_file(folder.empty() ? "." : folder.string(), mode);
   if (fd_ < 0)
     make_temporary([&](const char* path) {
       fd_ = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
@@ -253,11 +250,7 @@ void OutputFile::write_at(std::string_view bytes, std::int64_t at) {
 
 void OutputFile::close() {
   if (!target_.empty() && !temporary_) {
-    const std::string own = std::string(own_descriptors) + "/" + std::to_string(fd_);
-    const bool named = make_temporary([&](const char* path) {
-      return ::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
-    });
-    if (!named) fail(name_);
+    if (!make_temporary([&](const char* path) { return os::give_name(fd_, path); })) fail(name_);
   }
   if (::close(std::exchange(fd_, -1)) != 0) fail(name_);
   if (temporary_ && !temporary_->replace(target_)) fail(name_);
