@@ -35,10 +35,10 @@ install(FILES ${PROJECT_BINARY_DIR}/AsperityConfig.cmake ${PROJECT_BINARY_DIR}/A
   DESTINATION ${package_folder} COMPONENT development)
 
 # Users of a static library must link its dependencies; a shared library is linked with them.
-set(pc_requires "eigen3 >= 3.4")
+set(pc_requires "eigen3 >= ${Eigen3_VERSION_MAJOR}.${Eigen3_VERSION_MINOR}")
 set(pc_libraries "-lasperity_stats -lasperity_io -lasperity -pthread")
 if(NOT BUILD_SHARED_LIBS)
-  string(APPEND pc_requires ", gsl, fftw3, fftw3f, netcdf, libzip, libmd, pugixml, zlib, fmt")
+  string(APPEND pc_requires ", gsl, fftw3, fftw3f, netcdf, libzip, pugixml, zlib, fmt")
   string(APPEND pc_libraries " -ludunits2 -lsundials_kinsol -lsundials_sunlinsolspgmr")
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindUDUNITS2.cmake DESTINATION ${package_folder} COMPONENT development)
 endif()

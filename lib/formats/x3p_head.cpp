@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <md5.h>
-
 #include "formats/refuse.hpp"
 #include "formats/text_numbers.hpp"
 
@@ -198,12 +196,6 @@ void for_each_element(std::string_view list, const std::function<void(pugi::xml_
     for (const pugi::xml_node node : document) take(node);
     list.remove_prefix(end);
   }
-}
-
-std::string md5_of(std::string_view bytes) {
-  char digits[MD5_DIGEST_STRING_LENGTH];
-  MD5Data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), digits);
-  return digits;
 }
 
 }  // namespace asperity::x3p

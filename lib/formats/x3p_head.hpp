@@ -44,7 +44,7 @@ ListPlace list_in(std::string_view xml);
 /// Calls take(element) for each element of a list. Throws DataError("map", …) if it is not valid XML.
 void for_each_element(std::string_view list, const std::function<void(pugi::xml_node)>& take);
 
-/// The MD5 of bytes, 32 digits in lower case.
+/// The MD5 of bytes (RFC 1321), 32 digits in lower case.
 std::string md5_of(std::string_view bytes);
 
 }  // namespace asperity::x3p

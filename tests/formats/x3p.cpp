@@ -24,7 +24,15 @@ std::string rotation(const std::string& elements) {
 
 TEST_CASE("an MD5 is that of RFC 1321's own examples", "[formats][exact]") {
   CHECK(x3p::md5_of("") == "d41d8cd98f00b204e9800998ecf8427e");
+  CHECK(x3p::md5_of("a") == "0cc175b9c0f1b6a831c399e269772661");
+  CHECK(x3p::md5_of("abc") == "900150983cd24fb0d6963f7d28e17f72");
   CHECK(x3p::md5_of("message digest") == "f96b697d7cb7938d525a2f31aaf161d0");
+  CHECK(x3p::md5_of("abcdefghijklmnopqrstuvwxyz") == "c3fcd3d76192e4007dfb496cca67e13b");
+  CHECK(x3p::md5_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789") ==
+        "d174ab98d277d9f5a5611c2c9f419d9f");
+  std::string digits;
+  for (int i = 0; i < 8; ++i) digits += "1234567890";
+  CHECK(x3p::md5_of(digits) == "57edf4a22be3c955ac49da2e2107b67a");
 }
 
 TEST_CASE("a map is the same after X3P, to the last bit, its missing points and unequal spacings too",

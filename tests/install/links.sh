@@ -7,7 +7,7 @@ library=$prefix/$libdir/libasperity.so
 [ -f "$library" ] || exit 77
 needed() { readelf -d "$1" | grep NEEDED; }
 needed "$library" | grep -q fftw3
-if needed "$library" | grep -E 'netcdf|libzip|pugixml|udunits|libmd|libz\.'; then exit 1; fi
+if needed "$library" | grep -E 'netcdf|libzip|pugixml|udunits|libz\.'; then exit 1; fi
 loaded=$(ldd "$prefix/bin/asperity-stats")
 grep -q libasperity_io <<<"$loaded"
 if grep -E 'netcdf|hdf5|libzip|crypto|curl|fftw3f' <<<"$loaded"; then exit 1; fi
