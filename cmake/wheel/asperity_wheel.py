@@ -5,8 +5,9 @@
     pip install . --config-settings=prefix=FOLDER                        compiles nothing: packs an installation
 
 Programs become scripts of the environment, on PATH; libexec and share keep their places beside them, so that programs
-find their libraries and pages; the module goes to site-packages. (pip install --target loses a folder lib.) CMake finds compiler and libraries on this machine
-(cmake/packages), and such a wheel needs them there. Into FOLDER cmake/release has put them.
+find their libraries and pages; the module goes to site-packages. (pip install --target loses a folder lib.) CMake finds
+compiler and libraries on this machine (cmake/packages), and such a wheel needs them there; a release puts them into
+FOLDER (cmake/wheel/bundle).
 """
 import base64
 import hashlib
