@@ -62,7 +62,8 @@ class Accessor(support.TestCase):
         for value, error, unit, text in (
                 (1234.567, 7.84, "N", "1234.6 ± 7.8 N"), (9.99e-7, 1.2e-8, "m", "9.99e-07 ± 1.2e-08 m"),
                 (0.012345, 0.5, "1", "0.01 ± 0.5"), (2.0, nan, "m", "2 m"), (0.0, 1.0, "m", "0 m"),
-                (math.inf, nan, "Pa", "inf Pa"), ("free", nan, "", "free")):
+                (math.inf, nan, "Pa", "inf Pa"), (math.inf, 1.0, "Pa", "inf Pa"), (3, nan, "1", "3"),
+                (1.0, "odd", "1", "1"), ("free", nan, "", "free")):
             self.assertEqual(str(asp.Result(value, error, unit, "")), text)
 
     def test_each_result_that_a_tool_tells_of_has_its_prefix_and_each_attribute_of_a_chain_is_one(self):

@@ -187,6 +187,22 @@ class Datasets(support.TestCase):
         with xarray.set_options(keep_attrs=True):
             self.assertEqual(asp.stats(one * 2).loc["Sq", "value"], 2 * asp.stats(one).loc["Sq", "value"])
 
+    # The width of a row was unknown: "y is no coordinate", or "only one point is left of those in actual_range".
+    def test_a_profile_that_is_cut_from_a_surface_is_a_row_of_its_cells(self):
+        one = asp.generate(**dict(SURFACE, shape=(48, 48), periodic=True))
+        row = asp.dataset(one.heights.values[:, 5:6], size=asp.si((one.x.length, one.y.length / 48)), periodic="x")
+        expected = list(asp.stats(row).loc[["N", "Sa", "Sq", "Ssk", "Sku"], "value"])
+        for cut in (one.isel(y=5), one.isel(y=[5]), one.sel(y=one.y[5]), one.heights.isel(y=5),
+                    one.transpose("y", "x", ...).isel(y=5)):
+            self.assertEqual(list(asp.stats(cut).loc[["N", "Sa", "Sq", "Ssk", "Sku"], "value"]), expected)
+        again = asp.filter(one.isel(y=5), scale=1)
+        self.assertEqual((dict(again.sizes)["y"], again.x.periodic, again.y.periodic), (1, 1, 0))
+        self.assertAlmostEqual(again.y.length / row.y.length, 1, 12)  # length less the range: 48 roundings
+        self.assertEqual(list(asp.filter(one.isel(x=3), scale=1).heights.values[0]), list(one.heights.values[3]))
+        stressed = asp.stress(asp.contact(one, young="1GPa", poisson=0.3, load="1N"), depths="0:0.1mm:3")
+        self.assertEqual(stressed.von_mises.isel(y=5).asp.plot(kind="section").media, "image/png")
+        self.assertRaisesRegex(asp.BadData, r"heights is not a field on \(x, y\)", asp.stats, one.isel(x=5, y=5))
+
     def test_a_spectrum_is_a_table_a_dictionary_or_an_array(self):
         options = dict(shape=(32, 32), size="32um", seed=1)
         measured = asp.psd(asp.generate(**SURFACE), result="radial")

@@ -33,10 +33,14 @@ class Result(typing.NamedTuple, typing.Generic[T]):
     def __str__(self) -> str:
         """Rounded to two digits of the error, with the unit."""
         text = f"{self.value:.6g}" if isinstance(self.value, float) else str(self.value)
-        if self.error > 0 and self.value:
+        if _is_size(self.value) and _is_size(self.error):
             digits = 2 + max(-1, math.floor(math.log10(abs(self.value))) - math.floor(math.log10(self.error)))
             text = f"{self.value:.{digits}g} ± {self.error:.2g}"
         return f"{text} {self.unit}" if self.unit not in ("", "1") else text
+
+
+def _is_size(value):
+    return isinstance(value, (int, float)) and 0 < abs(value) < math.inf
 
 
 class Accessor:
@@ -95,12 +99,13 @@ class Tool:
 
 
 def _result(row, value, error):
-    if getattr(value, "ndim", None) == 0:
-        value = value.item()
-    unit = row["unit"]
-    if unit == "yes":
+    if row["unit"] == "yes":
         return Result(bool(value), math.nan, "", row["text"])
-    return Result(value, float(error), unit, row["text"])
+    return Result(_plain(value), _plain(error), row["unit"], row["text"])
+
+
+def _plain(value):
+    return value.item() if getattr(value, "ndim", None) == 0 else value
 
 
 # ---- with xarray, whenever it is imported: that takes half a second, and a call between files needs none of it ----

@@ -162,6 +162,8 @@ def _variables(dataset):
 
 def encoded(dataset):
     """The pieces of the bytes of an xarray.Dataset, which must not change before the last is taken."""
+    for axis, other in ("xy", "yx"):
+        dataset = _with_cells(dataset, axis, other)
     variables, sizes = _variables(dataset)
     attributes = dict(dataset.attrs)
     others = [str(c) for c in dataset.coords if c not in dataset.dims and " " not in str(c)]
@@ -172,6 +174,22 @@ def encoded(dataset):
     wide |= any(_padded(v[3]) > 2**32 - 4 for v in variables[:-1])
     begin = len(_header(sizes, attributes, variables, wide, 0))
     return _pieces(_header(sizes, attributes, variables, wide, begin), variables)
+
+
+def _with_cells(dataset, axis, other):
+    """Of a profile that was cut from a surface, as by isel(y=5): a row of cells, as wide as the surface's were."""
+    points = dataset.variables.get(axis)
+    low, high = points.attrs.get("actual_range", (0, 0)) if points is not None else (0, 0)
+    width = points.attrs.get("length", 0) - (high - low) if points is not None else 0  # of n points, n - 1 steps
+    if width <= 0 or low == high or points.size != 1:
+        return dataset
+    out = dataset.drop_vars(axis)
+    for name, one in dataset.variables.items():
+        if other in one.dims and axis not in one.dims and name != other:
+            at = one.dims.index(other)
+            out[name] = one.set_dims([*one.dims[:at], "x", "y", *one.dims[at + 1:]])
+    attributes = {**points.attrs, "length": width, "actual_range": 2 * [float(points.values.item())], "periodic": 0}
+    return out.assign_coords({axis: (axis, points.values.reshape(1), attributes)})
 
 
 def _pieces(head, variables):
