@@ -8,7 +8,6 @@ A result is an attribute of the dataset, pressed.contact_area, with the error th
 and the unit and meaning that the tool tells of it (--describe).
 """
 import fnmatch
-import importlib.abc
 import importlib.util
 import math
 import sys
@@ -111,7 +110,7 @@ def _plain(value):
 # ---- with xarray, whenever it is imported: that takes half a second, and a call between files needs none of it ----
 
 
-class _Import(importlib.abc.MetaPathFinder):
+class _Import:
     def find_spec(self, name, path, target=None):
         if name != "xarray":
             return None
