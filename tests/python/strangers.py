@@ -169,7 +169,11 @@ class Datasets(support.TestCase):
         self.assertEqual(asp.stats(several.heights.transpose(..., "length")).loc["Sq", "surfaces"], 3)
         flats = dict(young="1GPa", poisson=0.3, load="1N")
         self.assertEqual(list(asp.contact(several, **flats).index[:3]), ["length=30", "length=40", "length=50"])
-        self.assertEqual(asp.stats(several.isel(length=1)).loc["Sq", "value"], asp.stats(drawn[1]).loc["Sq", "value"])
+        self.assertIn("actual_range", several.heights.attrs)
+        with warnings.catch_warnings(record=True) as told:  # the first one's, in the dataset of another
+            warnings.simplefilter("always")
+            self.assertEqual(asp.stats(several.isel(length=1)).loc["Sq", "value"], asp.stats(drawn[1]).loc["Sq", "value"])
+        self.assertRegex(str(told[0].message), "heights: the values are not those of actual_range")
         self.assertRaisesRegex(TypeError, "asperity-convert takes one dataset, not 3", asp.convert, several)
         with self.assertRaisesRegex(asp.BadData, r"heights is not a field on \(x, y\)"):
             asp.stats(several.heights.expand_dims("other").to_dataset())
@@ -186,6 +190,21 @@ class Datasets(support.TestCase):
                                one - one.mean())
         with xarray.set_options(keep_attrs=True):
             self.assertEqual(asp.stats(one * 2).loc["Sq", "value"], 2 * asp.stats(one).loc["Sq", "value"])
+
+    # Smoothed heights had the errors of those that were drawn: a fifth of the right ones, without a word.
+    def test_heights_that_were_changed_have_errors_of_their_own(self):
+        one = asp.generate(**dict(SURFACE, shape=(128, 128)))
+        changed = one.copy(deep=True)
+        changed.heights.values[:] = (one.heights.values + numpy.roll(one.heights.values, 3, 0)) / 2
+        with self.assertWarnsRegex(asp.ToolWarning, "^asperity-stats: heights: the values are not those of actual_range"):
+            table = asp.stats(changed)
+        self.assertTrue(table.equals(asp.stats(changed, correlation="estimate")))
+        part = one.isel(x=slice(0, 64))
+        for same in (one, one.astype("f4"), one.transpose("y", "x", ...), one.sortby("x", ascending=False), part):
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                self.assertTrue(asp.stats(same).equals(asp.stats(same, correlation="drawn")))
+            self.assertFalse([w for w in told if "actual_range" in str(w.message) and "values" in str(w.message)])
 
     # The width of a row was unknown: "y is no coordinate", or "only one point is left of those in actual_range".
     def test_a_profile_that_is_cut_from_a_surface_is_a_row_of_its_cells(self):

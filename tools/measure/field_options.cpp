@@ -40,6 +40,39 @@ void check_memory(const Tool& tool, Shape shape) {
                       ": allow more, or cut or thin the map first (asperity-filter --crop, --decimate)");
 }
 
+struct StatedRange {
+  double low, high;
+};
+
+// By the attribute actual_range.
+std::optional<StatedRange> stated_range(const Variable& variable) {
+  const Values* stated = variable.attributes.find("actual_range");
+  if (stated == nullptr || count(*stated) != 2) return std::nullopt;
+  const std::vector<double> range = numbers(*stated);
+  return StatedRange{range[0], range[1]};
+}
+
+// Of a part of a surface, actual_range is the whole's.
+bool has_all_points(const Dataset& data, const char* axis) {
+  const std::optional<StatedRange> range = stated_range(data.at(axis));
+  const std::vector<double> points = numbers(data.at(axis).values);
+  const auto [low, high] = std::ranges::minmax(points);
+  return !range || std::abs(low - range->low) + std::abs(high - range->high) <= 1e-6 * (high - low);
+}
+
+// A program that changes values may keep their attributes: then they lie outside of actual_range, or those of
+// a whole surface do not reach its ends. Packed values may miss them by a thousandth of it.
+bool was_changed(const Dataset& data, const Surface& surface) {
+  const std::optional<StatedRange> range = stated_range(data.at(surface.variable));
+  if (!range) return false;
+  const double factor = factor_to(surface.units, data.at(surface.variable));
+  const double above = surface.heights.maxCoeff<Eigen::PropagateNumbers>() - factor * range->high,
+               below = factor * range->low - surface.heights.minCoeff<Eigen::PropagateNumbers>(),
+               least = 1e-3 * factor * (range->high - range->low);
+  const bool whole = has_all_points(data, "x") && has_all_points(data, "y");
+  return above > least || below > least || (whole && (above < -least || below < -least));
+}
+
 }  // namespace
 
 void FieldOptions::declare(Tool& tool) {
@@ -96,6 +129,14 @@ Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
   Surface surface = without_heights(data);
   check_memory(tool, surface.grid.shape);
   surface.heights = field_of(data, variable, surface.units, Missing::not_a_number);
+  if (surface.correlation && correlation == "auto" && was_changed(data, surface)) {
+    tool.warn(variable +
+              ": the values are not those of actual_range: they were changed, or it is another "
+              "surface's; errors rest on an estimate of their correlation (--correlation drawn: on "
+              "acf_target all the same)");
+    surface.correlation.reset();
+    surface.distribution.reset();
+  }
   if (asked.form.kind != Form::Kind::polynomial) check_lengths(surface, "the radius of a form");
   check_cutoffs(tool, asked, surface.grid);
   surface = prepared(std::move(surface), asked, tool.thread_count());

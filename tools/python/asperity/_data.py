@@ -113,8 +113,7 @@ def inputs(given):
         elif isinstance(value, (list, tuple, collections.abc.Iterator)):
             out += [(f"datasets[{k}]", contents(one)) for k, one in enumerate(value)]
         elif other := _dimension_of_surfaces(value):
-            labels = value[other].values
-            out += [(f"{other}={labels[k]}", value.isel({other: k})) for k in range(len(labels))]
+            out += [(f"{other}={label}", _part(value, other, k)) for k, label in enumerate(value[other].values)]
         else:
             out.append((f"datasets[{at}]" if len(given) > 1 else "dataset", value))
     return out
@@ -127,3 +126,11 @@ def _dimension_of_surfaces(value):
         return None
     others = set(field.dims) - {"x", "y", "z"}
     return others.pop() if len(others) == 1 else None
+
+
+def _part(value, dimension, number):
+    """One of the surfaces, without actual_range, which is that of the first since they were put together."""
+    out = value.isel({dimension: number})
+    for field in out.data_vars.values() if _is(out, "xarray", "Dataset") else [out]:
+        field.attrs.pop("actual_range", None)
+    return out
