@@ -51,6 +51,8 @@ class Accessor(support.TestCase):
         self.assertEqual(pressed.asp.kernel.error.value, pressed.kernel_error)  # no error of another result
         self.assertNotIn("area_error", dir(pressed.asp.contact))
         self.assertIn("real contact area: ", repr(pressed.asp.contact))
+        self.assertEqual(repr(pressed.asp), "\n".join(repr(getattr(pressed.asp, n)) for n in ("contact", "generate", "kernel")))
+        self.assertEqual(repr(pressed.pressure.asp), "<asperity: no results>")
         self.assertRaisesRegex(AttributeError, "has no result contact_aera: did you mean 'area'",
                                lambda: pressed.asp.contact.aera)
         self.assertRaisesRegex(AttributeError, "no result stress_max_shear: the tool has left none",

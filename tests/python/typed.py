@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""What pyright --strict says of a user's file: it refuses the lines that are marked so, and no other. Skipped without pyright.
+"""What pyright --strict says of a user's file, and of the module's own types: it refuses the lines that are marked so, and no
+other. Skipped without pyright.
 
-    typed.py FOLDER     where the file is written
+    typed.py FOLDER     where the file is written, beside a copy of the module
 """
 import json
 import pathlib
@@ -28,7 +29,8 @@ part: xarray.Dataset = pressed.isel(x=slice(0, 64)).asp.filter(lambda_c="0.1mm",
 press = asp.contact(radius="50mm", young="208GPa", poisson=0.3, load="5kN")
 largest: float = asp.pipe(surface, press, asp.stress(maximum=True)).asp.stress.max_von_mises.value
 drawn = asp.pipe(asp.stage.generate(**texture), press).asp.contact.area.value
-smooth = asp.contact(smooth=True, shape=(64, 64), size="1mm", radius="10mm", young="1GPa", poisson=0.3, load="1N").asp.contact.load
+smooth = asp.contact(smooth=True, shape=(9, 9), size="1mm", radius="1m", young="1GPa", poisson=0.3, load="1N").asp.contact
+print(smooth.hertz_pressure.value, smooth.load)
 rows: int = len(asp.stats([surface, Path("map.x3p")], compare=True).columns)
 many: int = len(asp.contact({"a": surface, "b": surface}, young="1GPa", poisson=0.3, load="1N").columns)
 sweep: int = len(asp.contact(surface, young="1GPa", poisson=0.3, sweep="1N:9N:5").columns)
@@ -74,14 +76,19 @@ folder = pathlib.Path(sys.argv[1])
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 (folder / "use.py").write_text(FILE)
+shutil.copytree(support.SOURCE / "tools/python/asperity", folder / "asperity")
 (folder / "pyrightconfig.json").write_text(json.dumps({
-    "typeCheckingMode": "strict", "include": ["use.py"], "extraPaths": [str(support.SOURCE / "tools/python")],
-    "reportMissingTypeStubs": False, "pythonVersion": "3.11"}))
+    "typeCheckingMode": "strict", "include": ["use.py", "asperity/*.pyi"], "reportMissingTypeStubs": False,
+    "pythonVersion": "3.11"}))
 run = subprocess.run([pyright, "--pythonpath", sys.executable, "--outputjson"], cwd=folder, capture_output=True, text=True)
-refused = {}
+refused, wrong = {}, 0
 for one in json.loads(run.stdout)["generalDiagnostics"]:
-    refused.setdefault(one["range"]["start"]["line"], []).append(f"{one['rule']}: {one['message'].splitlines()[0]}")
-wrong = 0
+    line, text = one["range"]["start"]["line"], f"{one.get('rule')}: {one['message'].splitlines()[0]}"
+    if pathlib.Path(one["file"]).name == "use.py":
+        refused.setdefault(line, []).append(text)
+    else:
+        print(f"{one['file']}:{line + 1}: {text}")
+        wrong = 1
 for number, line in enumerate(FILE.split("\n")):
     if line.endswith("# refused") != (number in refused):
         print(f"{number}: {line}", *refused.get(number, ["is not refused"]), sep="\n    ")

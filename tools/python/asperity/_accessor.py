@@ -2,7 +2,7 @@
 
     surface.asp.stats()                is asperity.stats(surface)
     pressed.asp.contact.area           Result(value=2.71e-06, error=1.1e-08, unit='m2', meaning='real contact area')
-    pressed.asp.contact                prints all of them
+    pressed.asp.contact                prints all of them, pressed.asp those of all tools
 
 A result is an attribute of the dataset, pressed.contact_area, with the error that stands beside it, contact_area_error,
 and the unit and meaning that the tool tells of it (--describe).
@@ -55,6 +55,10 @@ class Accessor:
 
     def __dir__(self):
         return [_options.python_name(name) for name in _options.names()]
+
+    def __repr__(self):
+        tools = [getattr(self, name) for name in dir(self)]
+        return "\n".join(repr(tool) for tool in tools if dir(tool)) or "<asperity: no results>"
 
 
 class Tool:
