@@ -45,6 +45,10 @@ class Arrays(support.TestCase):
         numpy.testing.assert_allclose(out.x, [-1e-3, 0, 1e-3], atol=1e-18)
         numpy.testing.assert_allclose(out.heights.values.ravel(), numpy.arange(1, 7) * 1e-6, rtol=1e-15)
         self.assertEqual((out.x.periodic, out.y.periodic, out.x.length), (1, 0, 3e-3))
+        for periodic in (True, 1, numpy.True_, numpy.bool_(False), 0, False):  # numpy's True, and 1, were taken for False
+            self.assertEqual(asp.dataset(HEIGHTS, "1mm", periodic=periodic).y.periodic, int(periodic))
+        for periodic in ("xy", 2, None):
+            self.assertRaisesRegex(ValueError, "periodic=", asp.dataset, HEIGHTS, "1mm", periodic=periodic)
 
     def test_a_field_of_xarray_brings_its_coordinates_and_its_order(self):
         field = surface().heights
@@ -55,6 +59,7 @@ class Arrays(support.TestCase):
     def test_what_is_no_map_is_refused(self):
         for array in (HEIGHTS[0], numpy.zeros((0, 3)), numpy.zeros((2, 2, 2))):
             self.assertRaisesRegex(ValueError, "two dimensions", asp.dataset, array, "1mm")
+        self.assertRaisesRegex(TypeError, "a Dataset is a surface already", asp.dataset, surface(), "1mm")
         for array in (HEIGHTS * 1j, "abc", None, [["a"]], numpy.array([[None]])):
             self.assertRaisesRegex(TypeError, "no real numbers", asp.dataset, array, "1mm")
         self.assertRaisesRegex(TypeError, "size is missing", asp.dataset, HEIGHTS)
@@ -117,6 +122,9 @@ class Datasets(support.TestCase):
         self.assertEqual(list(asp.contact(surfaces, young="1GPa", poisson=0.3, load="1N").index[:2]),
                          ["datasets[0]", "datasets[1]"])
         self.assertEqual(asp.stats(*surfaces).loc["Sq", "surfaces"], 2)
+        names = ["two\nlines", "a\ttab", "x" * 300, "/proc/self/fd/3"]  # the first split its row
+        odd = dict(zip(names, asp.ensemble(**SURFACE, count=4)))
+        self.assertEqual(list(asp.contact(odd, young="1GPa", poisson=0.3, load="1N").index[:4]), names)
 
     # Standard error 0 of two surfaces; and the other file's statistics, of bytes that name one.
     def test_the_same_surface_twice_and_bytes_that_name_a_file_are_refused_as_in_a_shell(self):
@@ -262,6 +270,7 @@ class Words(support.TestCase):
         self.assertRaisesRegex(TypeError, "did you mean 'radius'", asp.contact, raduis="1m")
         self.assertRaisesRegex(TypeError, "^length=True: the option needs", asp.generate, length=True)
         self.assertRaisesRegex(TypeError, "^periodic=1: the option stands alone", asp.generate, periodic=1)
+        self.assertRaisesRegex(asp.UsageError, "^progress='maybe' is none of auto", asp.stats, surface(), progress="maybe")
         self.assertRaisesRegex(TypeError, "^report=.*the name of a file", asp.generate, report=surface())
         self.assertRaisesRegex(TypeError, "^counter=3: the name of a file, a Dataset", asp.contact, counter=3)
         self.assertRaisesRegex(asp.UsageError, "^asperity-contact: --young is required$", asp.contact, surface())

@@ -10,6 +10,8 @@ KNOWN = {np.dtype(name) for name in "f4 f8 i1 i2 i4 i8 u1 u2 u4 u8".split()}
 
 
 def dataset(heights, size, unit, periodic):
+    if hasattr(heights, "data_vars"):
+        raise TypeError("a Dataset is a surface already; of its values give one field: dataset['name']")
     heights, size, unit = _of_dataarray(heights, size, unit)
     array = _plain(heights)
     if size is None:
@@ -19,7 +21,7 @@ def dataset(heights, size, unit, periodic):
     convert = Stage("convert", {"from_": "npy", "size": size, "unit": unit})
     out = run_pipe([convert], _data.Source("heights", _npy, array))
     for axis in "xy":
-        if periodic is True or periodic == axis:
+        if periodic == axis if isinstance(periodic, str) else periodic:
             out[axis].attrs["periodic"] = np.int32(1)
     return out
 

@@ -141,7 +141,10 @@ def words(about, options):
     for name, value in options.items():
         if name not in own:
             raise TypeError(f"{about['tool']} has no option {name!r}{near(name, own)}")
-        if value is not None and name != "progress":  # which is shown by this module
+        if name == "progress" and value is not None:  # which is shown by this module
+            if value not in own[name]["words"]:
+                raise UsageError(f"progress={brief(value)} is none of {'|'.join(own[name]['words'])}", status=2)
+        elif value is not None:
             out += _words_of(own[name], name, value)
     if own.get("output", {}).get("required") and options.get("output") is None:
         out += ["--output", "-"]

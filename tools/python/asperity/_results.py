@@ -121,10 +121,10 @@ def _document(raw):
 def _table(raw, run):
     if not raw.startswith(b"# "):
         return None
-    head, *rows = run.named(raw.decode()).rstrip("\n").split("\n")
+    head, *rows = raw.decode().rstrip("\n").split("\n")
     names, units = zip(*map(_column, head[2:].split("\t")))
     columns = list(zip(*(row.split("\t") for row in rows))) or [()] * len(names)
-    values = {n: list(c) if u is None else [float(v.removeprefix("<")) for v in c]
+    values = {n: list(map(run.named, c)) if u is None else [float(v.removeprefix("<")) for v in c]
               for n, u, c in zip(names, units, columns)}
     for name, unit, column in zip(names, units, columns):  # "<" stands before what the quantity is below
         if unit is not None and any(v.startswith("<") for v in column):

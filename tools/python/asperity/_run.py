@@ -231,7 +231,7 @@ def _same(one, other):
 
 def _in_memory(source, files):
     """A descriptor of a file without a name, which holds the data."""
-    descriptor = os.memfd_create(source.name)
+    descriptor = os.memfd_create("asperity")  # not its own name, which may be too long
     files.callback(os.close, descriptor)
     for piece in source.pieces():
         left = memoryview(piece)
