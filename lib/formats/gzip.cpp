@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 #include <zlib.h>
 
 #include "formats/refuse.hpp"
@@ -81,9 +80,9 @@ std::string inflated(std::string_view bytes, std::size_t size, Wrapper wrapper) 
 Bytes gunzipped(Bytes bytes, const MemoryBound& memory) {
   const std::string_view all = bytes;
   if (!all.starts_with("\x1f\x8b\x08")) return bytes;
+  if (all.size() < 18) refuse("the gzip data are damaged or cut short");
   std::size_t size = 0;  // in the last four bytes, the least significant first
-  for (const char byte : all.substr(all.size() - std::min<std::size_t>(all.size(), 4)) | std::views::reverse)
-    size = size << 8 | static_cast<unsigned char>(byte);
+  for (std::size_t k = 1; k <= 4; ++k) size = size << 8 | static_cast<unsigned char>(all[all.size() - k]);
   memory.beside(all.size()).require(2 * static_cast<double>(size), "map");
   const std::string content = inflated(all, size);
   Bytes out;

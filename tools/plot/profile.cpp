@@ -53,11 +53,12 @@ struct Row {
 std::vector<Row> rows_of(const Cases& cases, const std::string& variable, const Request& request) {
   std::vector<Row> out;
   for (const std::string& text : sections(request, cases[0].data)) {
-    Row& row = out.emplace_back(section_of(cases[0].data, text));
+    Row row{section_of(cases[0].data, text)};
     for (std::size_t c = 0; c < cases.size(); ++c) {
       const Field trace = trace_of(cases[c], variable, section_of(cases[c].data, text), request);
       row.curves.line(trace.col(0), trace.col(1), line_colour(c));
     }
+    out.push_back(std::move(row));
   }
   return out;
 }
