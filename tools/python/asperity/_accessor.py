@@ -8,7 +8,6 @@ A result is an attribute of the dataset, pressed.contact_area, with the error th
 and the unit and meaning that the tool tells of it (--describe).
 """
 import fnmatch
-import importlib.util
 import math
 import sys
 import typing
@@ -115,14 +114,16 @@ def _plain(value):
 
 
 class _Import:
+    """A finder of modules that asks the others, also for one who only wants to know whether xarray is there."""
+
     def find_spec(self, name, path, target=None):
         if name != "xarray":
             return None
-        sys.meta_path.remove(self)
-        spec = importlib.util.find_spec(name)
+        found = (finder.find_spec(name, path, target) for finder in sys.meta_path if finder is not self)
+        spec = next(filter(None, found), None)
         if spec:
             load = spec.loader.exec_module
-            spec.loader.exec_module = lambda module: (load(module), _register(module))
+            spec.loader.exec_module = lambda module: (load(module), sys.meta_path.remove(self), _register(module))
         return spec
 
 
