@@ -201,7 +201,10 @@ bool SubspaceCG::set_too_small() const {
     int driven = 0;
 #pragma omp simd reduction(+ : driven)
     for (Index i = 0; i < b.size; ++i) {
-      const int off_zero = int{p[i] <= 0} & int{g[i] < level}, off_cap = int{p[i] >= cap} & int{g[i] > level};
+      const int none = p[i] <= 0, full = p[i] >= cap;
+      const int pulled = g[i] < level;
+      const int pushed = level < g[i];
+      const int off_zero = none & pulled, off_cap = full & pushed;
       driven += (in_set[i] ^ 1) & (off_zero | off_cap);
     }
     return driven;

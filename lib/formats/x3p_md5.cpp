@@ -15,12 +15,13 @@ constexpr std::size_t md5_block = 64;  // bytes that are mixed into the state at
 using Md5State = std::array<std::uint32_t, 4>;
 
 // T of section 3.4.
-const std::array<std::uint32_t, 64> md5_sines = [] {
+std::array<std::uint32_t, 64> make_md5_sines() {
   std::array<std::uint32_t, 64> out{};
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] = static_cast<std::uint32_t>(std::ldexp(std::abs(std::sin(static_cast<double>(i + 1))), 32));
   return out;
-}();
+}
+const std::array<std::uint32_t, 64> md5_sines = make_md5_sines();
 
 // Little-endian, as the message is in words.
 template <std::size_t bytes, class Word>
