@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "acf/kinsol.hpp"
+#include "math/kinsol.hpp"
 #include "core/stopwatch.hpp"
 #include "core/words.hpp"
 
@@ -176,5 +176,7 @@ IterationResult solve_newton_krylov(Equations& equations, std::span<double> u, c
   require_vectors(u.size(), static_cast<std::size_t>(options.krylov_dimension) + more_than_directions);
   return Iteration(equations, u, options).run();
 }
+
+std::string sundials_version() { return std::string("SUNDIALS ") + SUNDIALS_VERSION; }
 
 }  // namespace asperity

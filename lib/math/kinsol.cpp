@@ -1,11 +1,9 @@
-#include "acf/kinsol.hpp"
+#include "math/kinsol.hpp"
 
 #include <cmath>
 
 #include <Eigen/Core>
-#include <sundials/sundials_version.h>
 
-#include "acf/kernel.hpp"
 #include "core/field.hpp"
 #include "core/memory.hpp"
 
@@ -85,7 +83,5 @@ kinsol::Vector kinsol::vector_of(std::span<double> values, sundials::Context& co
   array.values = values.data();
   return Vector(placed(::operator new(sizeof(Array), alignment), array));
 }
-
-std::string sundials_version() { return std::string("SUNDIALS ") + SUNDIALS_VERSION; }
 
 }  // namespace asperity
