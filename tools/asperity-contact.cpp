@@ -30,6 +30,8 @@ class ProgressCounter {
         loads_(options.loads.size()),
         of_one_(!options.several()) {}
 
+  /// Of plastic flow.
+  void increments(int done, int of) { progress_.count(done, of, "increments"); }
   /// Of a sweep: another load is done.
   void next() { ++load_; }
   void add(const ContactProgress& p) {
@@ -89,7 +91,7 @@ int press_one(cli::Tool& tool, cli::ContactOptions& options) {
                                      ? cli::press_accurately(tool, options, scene, influence)
                                      : cli::Accurate{cli::press(options, scene, influence), {}};
   const cli::Pressed& pressed = accurate.pressed;
-  cli::record(scene, options, pressed.contact, pressed.figures);
+  cli::record(scene, options, pressed.contact, pressed.figures, pressed.flow ? &*pressed.flow : nullptr);
   before.tell(tool, scene.data, "pressure");
   warn_of(tool, options, scene);
   warn(tool, pressed.doubts);
@@ -120,7 +122,7 @@ int press_several(const cli::Tool& tool, cli::ContactOptions& options) {
     const cli::Inventory before(scene.data);
     const cli::Pressed pressed =
         influences.with_one([&](cli::Influence& own) { return cli::press(options, scene, own); });
-    cli::record(scene, options, pressed.contact, pressed.figures);
+    cli::record(scene, options, pressed.contact, pressed.figures, pressed.flow ? &*pressed.flow : nullptr);
     cli::SurfaceResults out{scene.data.attributes, pressed.contact.converged};
     warn(tool, pressed.doubts);
     out.code = exit_of(tool, options, pressed.contact);
@@ -194,16 +196,20 @@ cli::Table sweep_table(const cli::Tool& tool, const cli::ContactOptions& options
                        const std::function<void(const LoadVerdict&)>& say) {
   cli::Table out;
   std::size_t number = 0;
+  std::optional<cli::Flow> flow;
   const auto add = [&](const Contact& c) {
+    const cli::Flow* const below = flow ? &*flow : nullptr;
     const cli::GridFigures figures = cli::grid_figures(options, scene, influence, c);
-    cli::add_load(out, scene, options, c, figures);
+    cli::add_load(out, scene, options, c, figures, below);
     const std::string load = cli::format_quantity(options.loads[number++], options.load_unit());
     LoadVerdict verdict{of + load, doubts(scene.grid, options.bodies, c), cli::unconverged(options, c)};
     for (Doubt& doubt : cli::doubts(figures)) verdict.doubts.push_back(std::move(doubt));
+    if (flow)
+      for (Doubt& doubt : cli::doubts(*flow)) verdict.doubts.push_back(std::move(doubt));
     say(verdict);
     if (options.each.empty()) return;
     cli::ContactScene one = scene;
-    cli::record(one, options, c, figures);
+    cli::record(one, options, c, figures, below);
     std::vector<std::string> lines;
     for (const Doubt& doubt : verdict.doubts) lines.push_back(doubt.words);
     if (!verdict.unconverged.empty()) lines.push_back(verdict.unconverged);
@@ -215,7 +221,15 @@ cli::Table sweep_table(const cli::Tool& tool, const cli::ContactOptions& options
   };
   std::vector<double> loads = options.loads;
   for (double& load : loads) load = options.force_on(scene.grid, load);
-  solve_load_sequence(scene.grid, scene.gap, influence, options.contact, loads, add);
+  if (!options.plastic.flows()) {
+    solve_load_sequence(scene.grid, scene.gap, influence, options.contact, loads, add);
+    return out;
+  }
+  flow.emplace(cli::plastic_path(options, scene, influence));
+  for (const double load : loads) {
+    cli::go_on(*flow, options.plastic, load, std::ranges::max(loads));
+    add(cli::contact_of(options, scene, influence, *flow));
+  }
   return out;
 }
 
@@ -312,14 +326,18 @@ int main(int argc, char** argv) {
   tool.example(
       "asperity-contact --smooth --shape 128x128 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
       "--load 5000N -o smooth.nc");
-  tool.essential({"--radius", "--young", "--poisson", "--load", "--approach", "--yield", "--boundary",
-                  "--smooth", "--sweep", "--add", "--accuracy", "--output"});
+  tool.essential({"--radius", "--young", "--poisson", "--load", "--approach", "--yield", "--plasticity",
+                  "--boundary", "--smooth", "--sweep", "--add", "--accuracy", "--output"});
 
   return tool.run(argc, argv, [&] {
     options.check(tool);
     ProgressCounter counter(tool, options);
     if (tool.verbose() || tool.shows_progress())
-      options.contact.progress = [&](const ContactProgress& p) { counter.add(p); };
+      options.contact.progress = [&](const ContactProgress& p) {
+        if (!options.plastic.flows()) counter.add(p);
+      };
+    if (tool.shows_progress() && !options.tabulates())
+      options.plastic.parameters.progress = [&](int done, int of) { counter.increments(done, of); };
     if (options.sweeps()) return sweep(tool, options, counter);
     return options.several() ? press_several(tool, options) : press_one(tool, options);
   });

@@ -45,8 +45,8 @@ void compute(cli::Tool& tool, cli::StressOptions& options, const cli::StressSele
     return tool.write(scene.data);
   }
   scene.data.attributes.set("stress_seconds", 0.0);
-  const StressSolver solver(scene.body, scene.plane, tool.thread_count(), scene.resolution);
-  cli::StressWriter writer(tool, scene, selection, solver);
+  const auto solver = scene.solver(scene.body, scene.plane, tool.thread_count());
+  cli::StressWriter writer(tool, scene, selection, *solver);
   if (!shallow) cli::warn_of_shallow_layers(tool, scene);
   writer.write([&] { finish(writer.largest("von_mises")); });
 }

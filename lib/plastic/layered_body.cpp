@@ -13,6 +13,7 @@ namespace {
 using stress::Component;
 
 constexpr Index five = deviator::components;
+constexpr double most_spectra = 256e6;  // bytes of spectra at a time
 
 std::vector<double> thicknesses(const std::vector<double>& edges) {
   std::vector<double> out;
@@ -51,6 +52,14 @@ constexpr std::array<double, 5> deviator_weights(Component c) {
 
 }  // namespace
 
+// Of a thread, for eight rows.
+struct LayeredBody::RowBuffers {
+  explicit RowBuffers(const RowTransform& rows) : blocks(size(rows.blocks() * stride)), work(rows.work()) {}
+  static constexpr Index stride = group_rows * block_columns;
+  AlignedVector<Complex> blocks;  ///< zero where nothing is put
+  RowTransform::Work work;
+};
+
 // Of a thread, for one block of columns.
 struct LayeredBody::Buffers {
   Buffers(const LayeredBody& body, Index fields)
@@ -71,11 +80,12 @@ LayeredBody::LayeredBody(const Grid& cells, std::vector<double> edges, double sh
       poisson_(poisson),
       threads_(threads),
       transform_(cells.shape, torus_of(cells)),
+      rows_(transform_.torus().ny),
+      columns_(transform_.torus().nx, block_columns),
       waves_(thicknesses(edges_), poisson),
       images_(cells, transform_.torus(), waves_),
       kernel_rows_(transform_.torus().nx / 2 + 1) {
   make_chunks();
-  make_pressed();
 }
 
 void LayeredBody::make_chunks() {
@@ -100,7 +110,9 @@ void LayeredBody::make_chunks() {
   }
 }
 
+// When it is first needed.
 void LayeredBody::make_pressed() {
+  if (!pressed_.empty()) return;
   pressed_.assign(size(transform_.columns() * layers() * five * kernel_rows_), 0);
   const Resolution resolution({grid_, Field::Zero(grid_.shape.nx, grid_.shape.ny), poisson_}, 1, threads_);
   const auto influence =
@@ -137,81 +149,154 @@ void LayeredBody::add_kernel(LayerInfluence& influence, Index k) {
 
 void LayeredBody::set_strain(const LayeredField& strain) {
   strain_ = &strain;
-  transform_rows(strain);
+  loaded_.count = 0;
 }
 
-void LayeredBody::transform_rows(const LayeredField& strain) {
-  const Index ny = grid_.shape.ny;
-  spectra_.resize(size(layers() * components_ * transform_.half_size()));
-  parallel_ranges(layers() * five, threads_, [&](Index begin, Index end, int) {
+std::vector<Extent> LayeredBody::groups(Index components) const {
+  const auto block_bytes =
+      static_cast<double>(layers() * components * grid_.shape.nx * block_columns) * sizeof(Complex);
+  const Index blocks = transform_.blocks(),
+              count = std::clamp<Index>(
+                  static_cast<Index>(std::ceil(block_bytes * static_cast<double>(blocks) / most_spectra)), 1,
+                  blocks);
+  std::vector<Extent> out;
+  for (Index g = 0; g < count; ++g)
+    out.push_back({g * blocks / count, (g + 1) * blocks / count - g * blocks / count});
+  return out;
+}
+
+// The strain's rows, transformed in y, for these blocks.
+void LayeredBody::load(Extent blocks, Index components) {
+  if (loaded_ == blocks && components == components_) return;
+  loaded_ = blocks;
+  components_ = components;
+  const auto [nx, ny] = grid_.shape;
+  spectra_.resize(size(layers() * components_ * spectrum_size()));
+  parallel_ranges(layers() * five, threads_, [&, nx = nx, ny = ny](Index begin, Index end, int) {
+    RowBuffers rows(rows_);
     for (Index n = begin; n < end; ++n) {
-      const auto values = strain(n / five, n % five);
-      transform_.forward_each_row([&](Index i, double* row) { std::copy_n(values.data() + i * ny, ny, row); },
-                                  spectrum(n / five, n % five));
+      const double* values = (*strain_)(n / five, n % five).data();
+      Complex* to = spectrum(n / five, n % five);
+      for (Index i = 0; i < nx; i += group_rows) {
+        const Index count = std::min(group_rows, nx - i);
+        rows_.forward(values + i * ny, ny, ny, count, rows.blocks.data(), rows.stride, rows.work);
+        for (Index b = 0; b < blocks.count; ++b)
+          std::copy_n(rows.blocks.data() + (blocks.first + b) * rows.stride, count * block_columns,
+                      to + (b * nx + i) * block_columns);
+      }
+    }
+  });
+}
+
+// What load() and respond() have made of these blocks, back in the rows, which are added to the stress.
+void LayeredBody::add_rows(Extent blocks, LayeredField& out) {
+  const auto [nx, ny] = grid_.shape;
+  parallel_ranges(layers() * components_, threads_, [&, nx = nx, ny = ny](Index begin, Index end, int) {
+    RowBuffers rows(rows_);
+    AlignedVector<double> values(size(group_rows * ny));
+    for (Index n = begin; n < end; ++n) {
+      const Complex* from = spectrum(n / components_, n % components_);
+      double* to = out(n / components_, n % components_).data();
+      for (Index i = 0; i < nx; i += group_rows) {
+        const Index count = std::min(group_rows, nx - i);
+        for (Index b = 0; b < blocks.count; ++b)
+          std::copy_n(from + (b * nx + i) * block_columns, count * block_columns,
+                      rows.blocks.data() + (blocks.first + b) * rows.stride);
+        rows_.inverse(rows.blocks.data(), rows.stride, count, ny, values.data(), ny, rows.work);
+        for (Index m = 0; m < count * ny; ++m) to[i * ny + m] += values[size(m)];
+      }
     }
   });
 }
 
 Field LayeredBody::displacement() {
+  make_pressed();
   auto half = transform_.half_spectrum();
-  const Shape torus = transform_.torus();
-  const double scale = 1 / static_cast<double>(torus.cells());
-  parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int) {
-    AlignedVector<Complex> block(size(transform_.block_size())), scratch(block.size()), sum(block.size());
-    for (Index b = begin; b < end; ++b) {
-      std::ranges::fill(sum, Complex{});
-      for (Index k = 0; k < layers(); ++k)
-        for (Index c = 0; c < five; ++c) {
-          transform_.forward_block(spectrum(k, c), b, block.data(), scratch.data());
-          for (Index ky = b * block_columns; ky < std::min((b + 1) * block_columns, transform_.columns());
-               ++ky) {
-            const Index column = ky % block_columns * transform_.stride();
-            const float* kernel = pressed(ky, k, c);
-            const Complex turn = c == 3 || c == 4 ? Complex(0, scale * thickness(k)) : scale * thickness(k);
-            const double odd = deviator::odd_in_x(c) ? -1 : 1;
-            for (Index kx = 0; kx < torus.nx; ++kx) {
-              const double weight = 2 * kx > torus.nx ? odd * kernel[torus.nx - kx] : kernel[kx];
-              sum[size(column + kx)] += weight * turn * block[size(column + kx)];
-            }
-          }
-        }
-      transform_.inverse_block(sum.data(), b, half, scratch.data());
-    }
-  });
+  for (const Extent blocks : groups(five)) {
+    load(blocks, five);
+    parallel_ranges(blocks.count, threads_, [&](Index begin, Index end, int) {
+      Buffers buffers(*this, 1);
+      for (Index b = begin; b < end; ++b) {
+        sum_displacement(b, blocks.first + b, buffers);
+        transform_.inverse_block(buffers.pressure.data(), blocks.first + b, half, buffers.scratch.data());
+      }
+    });
+  }
   Field out(grid_.shape.nx, grid_.shape.ny);
   transform_.inverse_rows(half, out, threads_);
   return out;
 }
 
+// The spectrum of the displacement in a block, the b-th loaded one.
+void LayeredBody::sum_displacement(Index b, Index block, Buffers& buffers) {
+  const Shape torus = transform_.torus();
+  std::ranges::fill(buffers.pressure, Complex{});
+  for (Index k = 0; k < layers(); ++k)
+    for (Index c = 0; c < five; ++c) {
+      forward_columns(spectrum(k, c) + b * grid_.shape.nx * block_columns, buffers.columns.data(),
+                      buffers.scratch.data());
+      const double scale = thickness(k) / static_cast<double>(torus.cells()),
+                   odd = deviator::odd_in_x(c) ? -1 : 1;
+      const Complex turn = c == 3 || c == 4 ? Complex(0, scale) : scale;
+      for (Index ky = block * block_columns; ky < std::min((block + 1) * block_columns, transform_.columns());
+           ++ky) {
+        const Index column = ky % block_columns * transform_.stride();
+        const float* kernel = pressed(ky, k, c);
+        for (Index kx = 0; kx < torus.nx; ++kx) {
+          const double weight = 2 * kx > torus.nx ? odd * kernel[torus.nx - kx] : kernel[kx];
+          buffers.pressure[size(column + kx)] += weight * turn * buffers.columns[size(column + kx)];
+        }
+      }
+    }
+}
+
 void LayeredBody::stress(const Field* pressure, LayeredField& out) {
-  const bool with_mean = out.components() > five;
-  if (with_mean != (components_ > five)) {
-    components_ = out.components();
-    transform_rows(*strain_);
-  }
+  if (pressure != nullptr) make_pressed();
   auto half = transform_.half_spectrum();
   if (pressure != nullptr) transform_.forward_rows(*pressure, half, threads_);
-  parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int) {
-    Buffers buffers(*this, layers() * components_);
-    auto block = [&](Index n) { return buffers.columns.data() + n * transform_.block_size(); };
-    for (Index b = begin; b < end; ++b) {
-      for (Index n = 0; n < layers() * components_; ++n)
-        if (n % components_ < five)
-          transform_.forward_block(spectrum(n / components_, n % components_), b, block(n),
-                                   buffers.scratch.data());
-      if (pressure != nullptr)
-        transform_.forward_block(half, b, buffers.pressure.data(), buffers.scratch.data());
-      for (Index ky = b * block_columns; ky < std::min((b + 1) * block_columns, transform_.columns()); ++ky) {
-        const Index column = ky % block_columns * transform_.stride();
-        respond(ky, column, pressure ? buffers.pressure.data() + column : nullptr, buffers);
+  out.values.setZero();
+  for (const Extent blocks : groups(out.components())) {
+    load(blocks, out.components());
+    parallel_ranges(blocks.count, threads_, [&](Index begin, Index end, int) {
+      Buffers buffers(*this, layers() * components_);
+      for (Index b = begin; b < end; ++b) {
+        if (pressure != nullptr)
+          transform_.forward_block(half, blocks.first + b, buffers.pressure.data(), buffers.scratch.data());
+        respond_block(b, blocks.first + b, pressure != nullptr, buffers);
       }
-      for (Index n = 0; n < layers() * components_; ++n)
-        transform_.inverse_block(block(n), b, spectrum(n / components_, n % components_),
-                                 buffers.scratch.data());
-    }
-  });
-  transform_back(out);
+    });
+    add_rows(blocks, out);
+    loaded_.count = 0;
+  }
   images_.take_off(*strain_, out, two_mu_);
+}
+
+// The stress in a block, the b-th loaded one, in place of the strain.
+void LayeredBody::respond_block(Index b, Index block, bool pressed, Buffers& buffers) {
+  auto columns = [&](Index n) { return buffers.columns.data() + n * transform_.block_size(); };
+  auto rows = [&](Index n) {
+    return spectrum(n / components_, n % components_) + b * grid_.shape.nx * block_columns;
+  };
+  for (Index n = 0; n < layers() * components_; ++n)
+    if (n % components_ < five) forward_columns(rows(n), columns(n), buffers.scratch.data());
+  for (Index ky = block * block_columns; ky < std::min((block + 1) * block_columns, transform_.columns());
+       ++ky) {
+    const Index column = ky % block_columns * transform_.stride();
+    respond(ky, column, pressed ? buffers.pressure.data() + column : nullptr, buffers);
+  }
+  for (Index n = 0; n < layers() * components_; ++n) {
+    columns_.inverse(columns(n), buffers.scratch.data());
+    rows_from_columns<block_columns>(buffers.scratch.data(), columns_.stride(), grid_.shape.nx, rows(n));
+  }
+}
+
+void LayeredBody::forward_columns(const Complex* rows, Complex* columns, Complex* scratch) const {
+  const Index nx = grid_.shape.nx;
+  columns_from_rows<block_columns>(rows, nx, scratch, columns_.stride());
+  for (Index c = 0; c < block_columns; ++c)
+    std::fill(scratch + c * columns_.stride() + nx, scratch + c * columns_.stride() + columns_.points(),
+              Complex{});
+  columns_.forward(scratch, columns);
 }
 
 // The stress of a column of waves, in place of the strain.
@@ -246,20 +331,6 @@ void LayeredBody::add_pressed(const Chunk& chunk, Index ky, int part, const Comp
       Lanes& x = work.of(k, c);
       for (Index l = 0; l < LayerWaves::lanes; ++l) x[l] += double{kernel[chunk.at[size(l)]]} * load[l];
     }
-}
-
-void LayeredBody::transform_back(LayeredField& out) {
-  constexpr Index group = RowTransform::rows;
-  const auto [nx, ny] = grid_.shape;
-  parallel_ranges(layers() * components_, threads_, [&, nx = nx, ny = ny](Index begin, Index end, int) {
-    auto work = transform_.row_work();
-    for (Index n = begin; n < end; ++n) {
-      const auto half = spectrum(n / components_, n % components_);
-      double* to = out(n / components_, n % components_).data();
-      for (Index i = 0; i < nx; i += group)
-        transform_.inverse_group(half, i, std::min(group, nx - i), ny, to + i * ny, ny, work);
-    }
-  });
 }
 
 Field surface_displacement(const Grid& grid, Index i, Index j, const std::vector<double>& edges,

@@ -18,8 +18,9 @@
 /// Accuracy  S: exact for trigonometric polynomials that are uniform in each layer; order 2 in the layers'
 ///           thickness for smooth strains, σxz of the first layer order 1. B in single precision: 1e-7 p.
 /// Cost      of n layers (1) takes 10 n padded real transforms, 5 n more in x, and as long again for the
-///           waves: 128 × 128 × 32 0.3 s. Memory: 80 n Px (Py/2) bytes, Px and Py being twice the cells, 10
-///           n of it for B.
+///           waves: 128 × 128 × 32 0.25 s. Memory: 10 n Px (Py/2) bytes for B on a torus of Px × Py, twice
+///           the cells a side, and of the spectra 256 MB at a time; where they take more, rows are
+///           transformed again for each group of columns.
 #pragma once
 
 #include "plastic/image_strains.hpp"
@@ -57,6 +58,8 @@ class LayeredBody {
     bool nyquist = false;
   };
   struct Buffers;
+  struct RowBuffers;
+  static constexpr Index group_rows = RowTransform::rows;
 
   void make_chunks();
   void make_pressed();
@@ -67,27 +70,35 @@ class LayeredBody {
   const float* pressed(Index ky, Index k, Index c) const {
     return const_cast<LayeredBody*>(this)->pressed(ky, k, c);
   }
-  std::span<Complex> spectrum(Index k, Index c) {
-    return {spectra_.data() + (k * components_ + c) * transform_.half_size(), size(transform_.half_size())};
-  }
-  void transform_rows(const LayeredField& strain);
+  /// Of the loaded blocks, [block][row][8].
+  Index spectrum_size() const { return loaded_.count * grid_.shape.nx * block_columns; }
+  Complex* spectrum(Index k, Index c) { return spectra_.data() + (k * components_ + c) * spectrum_size(); }
+  /// Blocks of columns whose spectra are in memory together.
+  std::vector<Extent> groups(Index components) const;
+  void load(Extent blocks, Index components);
+  void add_rows(Extent blocks, LayeredField& out);
+  void sum_displacement(Index b, Index block, Buffers& buffers);
+  void respond_block(Index b, Index block, bool pressed, Buffers& buffers);
+  void forward_columns(const Complex* rows, Complex* columns, Complex* scratch) const;
   void respond(Index ky, Index column, const Complex* pressure, Buffers& buffers) const;
   void add_pressed(const Chunk& chunk, Index ky, int part, const Complex* pressure,
                    LayerWaves::Work& work) const;
-  void transform_back(LayeredField& out);
 
   Grid grid_;
   std::vector<double> edges_;
   double two_mu_, poisson_;
   int threads_;
-  PrunedTransform transform_;
+  PrunedTransform transform_;  ///< of pressure and displacement
+  RowTransform rows_;
+  ColumnTransform columns_;
   LayerWaves waves_;
   ImageStrains images_;
   Index kernel_rows_;             ///< Px/2 + 1
   AlignedVector<float> pressed_;  ///< B in the waves' basis: [ky][layer][component][kx]
   std::vector<Chunk> chunks_;
   Index components_ = deviator::components;
-  AlignedVector<Complex> spectra_;  ///< of ε, then of σ: [layer][component], half spectra
+  AlignedVector<Complex> spectra_;  ///< of ε, then of σ: [layer][component][block]
+  Extent loaded_;                   ///< blocks of the strain's; none: of no strain
   const LayeredField* strain_ = nullptr;
 };
 

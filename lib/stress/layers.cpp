@@ -131,7 +131,31 @@ void StressSolver::layer(double z, stress::Set asked, Workspace& work, const Str
     own.plan = plan(levels_[level]);
     own.work = own.plan->work(work.threads_);
   }
-  own.work->layer(z, asked, row, behind);
+  own.work->layer(z, asked, added_ ? with_added(z, asked, row) : row, behind);
+}
+
+StressRowSink StressSolver::with_added(double z, stress::Set asked, const StressRowSink& row) const {
+  std::array<Field, 6> more;
+  for (stress::Component c : stress::components) {
+    if (!asked[c]) continue;
+    more[c] = added_->layer(z, c);
+    if (!section_) continue;
+    const Field line = section_->along_x ? Field(more[c].col(section_->index).transpose())
+                                         : Field(more[c].row(section_->index));
+    more[c] = line;
+  }
+  return [asked, row, more = std::move(more)](Index i, const StressRow& stress) {
+    std::array<std::vector<double>, 6> sums;
+    StressRow out{};
+    for (stress::Component c : stress::components) {
+      if (!asked[c]) continue;
+      const auto line = more[c].row(i);
+      sums[c].resize(stress[c].size());
+      std::ranges::transform(stress[c], line, sums[c].begin(), std::plus<>());
+      out[c] = sums[c];
+    }
+    row(i, out);
+  };
 }
 
 // Sections are short; the sum over images (stress/images.hpp) is one thread's work.

@@ -49,6 +49,14 @@ namespace asperity {
 using LayersFinished = std::function<void(Index begin, Index end)>;
 using LayerRowSink = std::function<void(Index layer, Index i, const StressRow& values)>;
 
+/// A stress that is added to the elastic one, such as flow has left (plastic/residual_stress.hpp).
+class AddedStress {
+ public:
+  virtual ~AddedStress() = default;
+  /// A component at depth z [m] at the centres of the cells [Pa]; called by several threads at once.
+  virtual Field layer(double z, stress::Component c) const = 0;
+};
+
 enum class DepthResolution {
   full,     ///< every layer from its own cells
   adapted,  ///< deep layers from wider cells
@@ -63,6 +71,8 @@ class StressSolver {
   explicit StressSolver(LoadedBody body, int threads = 1, DepthResolution resolution = DepthResolution::full)
       : StressSolver(std::move(body), std::nullopt, threads, resolution) {}
 
+  /// From now on adds this to what it computes. Of one rank.
+  void add(std::shared_ptr<const AddedStress> more) { added_ = std::move(more); }
   const LoadedBody& body() const { return body_; }
   int threads() const { return threads_; }
   /// Of a layer: that of the grid, or one row.
@@ -113,6 +123,8 @@ class StressSolver {
   /// The widest cells that will do at depth z.
   std::size_t level_at(double z) const;
   std::shared_ptr<const LayerPlan> plan(Level& level) const;
+  /// The same rows with what is added at this depth.
+  StressRowSink with_added(double z, stress::Set asked, const StressRowSink& row) const;
   /// Whether all threads work on one layer, so that there are buffers for one.
   bool together() const;
   /// Gives back what the layers from number `next` on do not need.
@@ -122,6 +134,7 @@ class StressSolver {
   std::optional<Plane> section_;
   int threads_;
   mutable std::deque<Level> levels_;
+  std::shared_ptr<const AddedStress> added_;
 };
 
 /// Two cells, of their longer side; a period of one cell has no steps along it. From there on every value is

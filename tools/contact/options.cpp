@@ -122,9 +122,11 @@ void ContactOptions::declare_load(Tool& tool) {
       load);
   tool.quantity("--approach", approach_, "m",
                 "Prescribed approach instead of a load; 0 where the smooth forms touch", load);
-  const Option yield =
-      tool.quantity("--yield", yield_, "Pa",
-                    "Yield stress of the softer body; the pressure is limited to 3 times this", load);
+  const Option yield = tool.quantities(
+      "--yield", plastic.yield, "Pa",
+      "Yield stress of the softer body, or of each; the pressure is limited to 3 times the lower "
+      "one, or each body flows with --plasticity j2; inf: elastic",
+      load);
   tool.quantity("--limit-pressure", contact.limit_pressure, "Pa", "Limit of the pressure, instead of --yield",
                 load)
       .excludes(yield);
@@ -146,6 +148,7 @@ void ContactOptions::declare_load(Tool& tool) {
       "no larger than this: those of the load or approach, the largest pressure, the corrected area and "
       "an added stiffness; 1%, 0.005. Exit 3 if that is not reached. Implies --add grid_errors",
       load);
+  plastic.declare(tool);
   declare_sweep(tool);
 }
 
@@ -174,12 +177,15 @@ void ContactOptions::check(Tool& tool) {
     for (std::size_t i = 0; i < 2; ++i) bodies.radius[i] = radius_[i];
   }
   bodies.check();
+  plastic.check(tool);
   check_load(tool);
+  check_flow(tool);
   check_added();
   check_ranks(tool);
   contact.threads = tool.thread_count();
   contact.check();
   check_streams(tool);
+  if (plastic.flows() && !tabulates() && !unloads()) add.emplace_back("heights_residual");
   check_accuracy(tool);
 }
 
@@ -198,8 +204,9 @@ void ContactOptions::check_load(const Tool& tool) {
   if (sweep) contact.load = (loads = parse_loads(loads_, loads_in(load_unit()))).front();
   contact.stiffness = sweeps() || adds("contact_stiffness");
   if (tool.given("--yield")) {
-    if (!(yield_ > 0)) throw UsageError("yield", fmt::format("'{} Pa' is not above 0", yield_));
-    contact.limit_pressure = hardness * yield_;
+    const double yield = std::min(plastic.yield[0], plastic.yield[1]);
+    if (!(yield > 0)) throw UsageError("yield", fmt::format("'{} Pa' is not above 0", yield));
+    if (!plastic.flows()) contact.limit_pressure = hardness * yield;
   }
   if (by_mean_pressure) check_mean_pressure(sweep ? "sweep" : "mean-pressure");
 }
@@ -231,11 +238,25 @@ void ContactOptions::check_accuracy(const Tool& tool) {
 }
 
 void ContactOptions::check_added() const {
-  if (unloads() && std::isinf(contact.limit_pressure))
+  if (unloads() && std::isinf(contact.limit_pressure) && !plastic.flows())
     throw UsageError("add",
                      "heights_residual needs --yield or --limit-pressure: without them nothing is flattened");
   if (smooth && adds("contact_ratios"))
     throw UsageError("add", "contact_ratios needs a rough surface, not --smooth");
+}
+
+// Errors of the grid come from elastic contacts on coarser cells.
+void ContactOptions::check_flow(const Tool& tool) {
+  if (!plastic.flows()) return;
+  const char* const why = "knows no plastic flow: leave it out, or press with --plasticity cut";
+  if (tool.given("--accuracy")) throw UsageError("accuracy", why);
+  if (adds("grid_errors")) throw UsageError("add", std::string("grid_errors ") + why);
+  if (tool.ranks().count() > 1)
+    throw UsageError("plasticity", fmt::format("j2 cannot be computed by {} ranks: start one process",
+                                               tool.ranks().count()));
+  if (plastic.unload && sweeps())
+    throw UsageError("unload",
+                     "belongs to one load: let the way of --sweep lead down, such as 10N:5kN:20,5kN:1N:5");
 }
 
 // Several ranks share one contact: what needs the whole field at once, or further contacts, is refused.

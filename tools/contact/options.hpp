@@ -9,6 +9,7 @@
 #include "contact/bodies.hpp"
 #include "contact/solver.hpp"
 #include "tools/cli/ensemble_input.hpp"
+#include "tools/contact/plasticity.hpp"
 
 namespace asperity::cli {
 
@@ -32,6 +33,7 @@ struct ContactOptions {
   std::string each;               ///< pattern of the datasets of a sweep, or of several surfaces
   std::vector<std::string> add;   ///< further results
   double accuracy = 0;            ///< largest relative error of the grid; 0: whatever it is
+  PlasticOptions plastic;         ///< flow below the surface, where it is asked for
 
   bool sweeps() const { return !loads.empty(); }
   bool several() const { return surfaces_ > 1; }
@@ -54,12 +56,13 @@ struct ContactOptions {
   void check_load(const Tool& tool);
   void check_mean_pressure(const char* name) const;
   void check_added() const;
+  void check_flow(const Tool& tool);
   void check_accuracy(const Tool& tool);
   void check_streams(Tool& tool);
   void check_table(Tool& tool) const;
 
   std::array<double, 2> radius_{flat, flat}, radius_x_{flat, flat}, radius_y_{flat, flat};
-  double load_ = none, mean_pressure_ = none, approach_ = none, yield_ = none;
+  double load_ = none, mean_pressure_ = none, approach_ = none;
   std::string loads_, accuracy_;
   std::size_t surfaces_ = 1;
   void check_ranks(const Tool& tool);

@@ -9,6 +9,7 @@
 #include "contact/influence.hpp"
 #include "contact/outline.hpp"
 #include "contact/stiffness.hpp"
+#include "core/stopwatch.hpp"
 #include "dataset/layout.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/surface_words.hpp"
@@ -18,6 +19,7 @@ namespace asperity::cli {
 namespace {
 
 constexpr Index finest = 16;  // times the given cells
+constexpr double small_strain = 0.05, accurate_increments = 0.01;
 
 // The largest error of a result, relative to it; NaN where none is known.
 double largest_error(const Contact& c, const GridFigures& figures) {
@@ -111,7 +113,69 @@ std::vector<Doubt> doubts(const GridFigures& figures) {
   return {{"has no errors of the grid", "the errors of the grid are not known: " + figures.unknown}};
 }
 
+std::shared_ptr<PlasticContact> plastic_path(const ContactOptions& options, const ContactScene& scene,
+                                             ElasticOperator& influence) {
+  return std::make_shared<PlasticContact>(scene.grid, scene.gap, options.bodies, influence, options.contact,
+                                          options.plastic.on(scene.grid));
+}
+
+Contact contact_of(const ContactOptions& options, const ContactScene& scene, ElasticOperator& influence,
+                   const Flow& flow) {
+  Contact out = flow.contact();
+  if (!options.contact.stiffness || !out.converged || !(out.load > 0)) return out;
+  const Stiffness found =
+      contact_stiffness(influence, out.pressure, options.contact.limit_pressure, scene.grid.cell_area(),
+                        options.contact.max_convolutions, options.contact.threads);
+  out.stiffness = found.value;
+  out.stiffness_residual = found.residual;
+  return out;
+}
+
+std::vector<Doubt> doubts(const Flow& flow) {
+  std::vector<Doubt> out;
+  if (flow.path->reaches_side())
+    out.push_back(
+        {"flows at the domain's edge",
+         "the bodies flow up to the edge of the domain, and what would flow beyond it is missing: choose "
+         "a larger domain, or a smaller load"});
+  double largest = 0;
+  for (const std::size_t body : {0, 1})
+    if (const auto n = flow.path->flowing(body))
+      largest = std::max(largest, flow.path->body(*n).equivalent().values.maxCoeff());
+  if (largest > small_strain)
+    out.push_back(
+        {"is strained beyond small strains",
+         fmt::format("the plastic strain reaches {:.2g} %, above the {:.0f} % up to which strains are small: "
+                     "figures are rough estimates",
+                     100 * largest, 100 * small_strain)});
+  if (flow.increment_error > accurate_increments)
+    out.push_back(
+        {"depends on the increments",
+         fmt::format("{} increments of the load leave an error of {:.2g} %: give more with --increments",
+                     flow.increments, 100 * flow.increment_error)});
+  return out;
+}
+
+// Along a path of increments.
+Pressed press_plastically(const ContactOptions& options, ContactScene& scene, Influence& influence) {
+  ElasticOperator& body = influence.on(scene.grid);
+  const Stopwatch watch;
+  PlasticTarget target{options.force_on(scene.grid, options.contact.load), options.contact.approach};
+  Pressed out;
+  out.flow = press_with_flow(options.plastic, target, [&] { return plastic_path(options, scene, body); });
+  out.contact = contact_of(options, scene, body, *out.flow);
+  out.contact.setup_seconds = influence.further_seconds();
+  out.contact.seconds = watch.seconds() - out.contact.setup_seconds;
+  if (out.contact.load > 0) {
+    out.figures = grid_figures(options, scene, body, out.contact);
+    out.doubts = doubts(scene.grid, options.bodies, out.contact);
+  }
+  for (Doubt& doubt : doubts(*out.flow)) out.doubts.push_back(std::move(doubt));
+  return out;
+}
+
 Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence) {
+  if (options.plastic.flows()) return press_plastically(options, scene, influence);
   ElasticOperator& body = influence.on(scene.grid);
   const bool pressed_again = options.adds("grid_errors");  // on coarser cells; else the gap has served
   Field gap = pressed_again ? scene.gap : std::move(scene.gap);
@@ -131,7 +195,8 @@ Accurate press_accurately(const Tool& tool, const ContactOptions& options, Conta
   for (Index factor = 1;; factor *= 2) {
     if (factor > 1) scene = finer(given, options, factor);
     Accurate out{press(options, scene, influence), {}};
-    const auto& [contact, figures, doubts] = out.pressed;
+    const Contact& contact = out.pressed.contact;
+    const GridFigures& figures = out.pressed.figures;
     const double error = largest_error(contact, figures);
     const std::string cells = text(scene.grid.shape);
     tool.detail(fmt::format("{} cells: errors of the grid up to {:.2g} %", cells, 100 * error));

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,7 +71,17 @@ struct Pressed {
   Contact contact;
   GridFigures figures;
   std::vector<Doubt> doubts;
+  std::optional<Flow> flow = {};  ///< below the surface, where that was asked for
 };
+
+/// A path of loads from nothing.
+std::shared_ptr<PlasticContact> plastic_path(const ContactOptions& options, const ContactScene& scene,
+                                             ElasticOperator& influence);
+/// The contact at the end of a path, with the stiffness of unloading where that is asked for.
+Contact contact_of(const ContactOptions& options, const ContactScene& scene, ElasticOperator& influence,
+                   const Flow& flow);
+/// Where flow leaves the model.
+std::vector<Doubt> doubts(const Flow& flow);
 
 /// Solves the scene, whose gap it takes unless errors of the grid were asked for.
 Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence);

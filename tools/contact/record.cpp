@@ -89,7 +89,9 @@ constexpr std::string_view load_columns =
     "load mean_pressure approach area area_corrected plastic_area mean_gap stiffness max_pressure residual "
     "convolutions "
     "converged area_share reduced_pressure kappa reduced_gap sphere_roughness elastic_energy plastic_work "
-    "patches largest_patch percolates_x percolates_y";
+    "patches largest_patch percolates_x percolates_y dent plastic_volume max_plastic_strain "
+    "dissipated_energy "
+    "stored_energy";
 
 // ---- attributes ----
 
@@ -151,8 +153,9 @@ void record_patches(Attributes& a, const Grid& grid, const Patches& patches) {
 
 // What a load makes of the scene; the patches where they are wanted.
 std::optional<Patches> record_load(Attributes& a, const ContactScene& scene, const ContactOptions& o,
-                                   const Contact& c, const GridFigures& grid) {
+                                   const Contact& c, const GridFigures& grid, const Flow* flow) {
   record(a, solution_quantities, c);
+  if (flow) record_flow(a, o.plastic, *flow);
   if (o.by_mean_pressure) a.set("contact_mean_pressure", mean_pressure(scene.grid, c));
   if (o.contact.stiffness) {
     record(a, stiffness_quantities, c);
@@ -195,12 +198,13 @@ void record_fields(Dataset& data, SharedFields& fields, const Contact& c) {
 }
 
 void record_flattening(Dataset& data, SharedFields& fields, const ContactOptions& o, const Contact& c,
-                       const Field& pressed) {
-  if (std::isinf(o.contact.limit_pressure)) return;
-  const Field flattened = plastic_flattening(c);
+                       const Field& pressed, const Flow* flow) {
+  if (std::isinf(o.contact.limit_pressure) && flow == nullptr) return;
+  const Field of_first = flow ? flow->path->displacement(0) : plastic_flattening(c),
+              flattened = flow ? of_first + flow->path->displacement(1) : of_first;
   fields.set(data, "displacement_plastic", flattened, {"m", "plastic flattening of both bodies together"});
   if (!o.unloads()) return;
-  const Field left = o.smooth ? Field(-flattened) : Field(pressed - flattened);
+  const Field left = o.smooth ? Field(-of_first) : Field(pressed - of_first);
   fields.set(data, "heights_residual", left, {"m", "heights after the load is removed"});
 }
 
@@ -229,6 +233,8 @@ constexpr double edited = 1e-6;          // of a figure: round-off leaves 1e-12
 constexpr double gap_round_off = 1e-12;  // of the displacements
 
 std::string missing(const Dataset& data) {
+  if (data.attributes.text("contact_plasticity") == "j2")
+    return "the bodies flow, and contacts on coarser cells would be elastic";
   auto number = [&](AttributeName name) { return data.attributes.number(name.text, not_recorded); };
   for (const char* name : {"pressure", "gap", "displacement"})
     if (!data.has(name)) return fmt::format("the dataset has no {}, which asperity-contact writes", name);
@@ -300,7 +306,7 @@ void record(Attributes& a, const GridErrors& errors) {
 }
 
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact,
-            const GridFigures& grid) {
+            const GridFigures& grid, const Flow* flow) {
   const bool keeps = options.unloads() && !options.smooth;
   const Slabs slabs = contact.slabs();
   const Field pressed = keeps ? own_rows(field_of(scene.data, options.variable, "m"), slabs) : Field();
@@ -309,10 +315,11 @@ void record(ContactScene& scene, const ContactOptions& options, const Contact& c
   drop_results(scene.data, "contact", overwrites ? "" : options.variable);
   Attributes& a = scene.data.attributes;
   record_bodies(a, options, scene.grid);
-  record_hertz(a, scene.grid, options.bodies, contact.load);
+  if (contact.load > 0) record_hertz(a, scene.grid, options.bodies, contact.load);
   record_fields(scene.data, fields, contact);
-  record_flattening(scene.data, fields, options, contact, pressed);
-  std::optional<Patches> patches = record_load(a, scene, options, contact, grid);
+  record_flattening(scene.data, fields, options, contact, pressed, flow);
+  std::optional<Patches> patches = record_load(a, scene, options, contact, grid, flow);
+  if (flow) record_strain(scene.data, scene.grid, *flow);
   if (patches) record_labels(scene.data, scene.grid, std::move(*patches));
   if (!(options.accuracy > 0)) return;
   a.set("contact_accuracy", options.accuracy);
@@ -320,9 +327,9 @@ void record(ContactScene& scene, const ContactOptions& options, const Contact& c
 }
 
 void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& contact,
-              const GridFigures& grid) {
+              const GridFigures& grid, const Flow* flow) {
   Attributes recorded;
-  record_load(recorded, scene, options, contact, grid);
+  record_load(recorded, scene, options, contact, grid, flow);
   if (table.columns.empty()) table.columns = columns_of(recorded, options.adds("grid_errors"));
   std::vector<Cell>& row = table.rows.emplace_back();
   for (const Column& column : table.columns)

@@ -10,7 +10,7 @@ namespace asperity::cli {
 
 /// The effective parameters, the result and its fields, in place of any former ones.
 void record(ContactScene& scene, const ContactOptions& options, const Contact& contact,
-            const GridFigures& grid);
+            const GridFigures& grid, const Flow* flow = nullptr);
 
 /// Of flat bodies: the load over the nominal area, that of the grid [Pa].
 inline double mean_pressure(const Grid& grid, const Contact& contact) {
@@ -22,7 +22,7 @@ void record(Attributes& attributes, const GridErrors& errors);
 
 /// Adds the row of a load to the table of a sweep, whose columns come with the first.
 void add_load(Table& table, const ContactScene& scene, const ContactOptions& options, const Contact& contact,
-              const GridFigures& grid);
+              const GridFigures& grid, const Flow* flow = nullptr);
 
 /// What is needed to solve a contact again on coarser cells, from its dataset.
 struct RecordedContact {

@@ -31,6 +31,11 @@ bool is_section(const Variable& variable) {
          variable.dimensions == std::vector<std::string>{"z", "y"};
 }
 
+// Whether it lies in the layers that may flow (tools/contact/plasticity.hpp).
+bool is_in_layers(const Variable& variable) {
+  return variable.dimensions == std::vector<std::string>{"layer", "x", "y"};
+}
+
 Section section_on(const Dataset& data, const Variable& variable, const std::string& asked) {
   const std::string widest = data.length("x") < 2 ? "x=0" : "y=0";
   if (!is_section(variable)) return section_of(data, asked.empty() ? widest : asked);
@@ -42,10 +47,10 @@ Section section_on(const Dataset& data, const Variable& variable, const std::str
 // The section's values, row k the k-th depth.
 Field section_values(const Dataset& data, const Variable& variable, const Section& section) {
   const std::vector<double> values = present_values(variable);
-  const Index nz = data.length("z"), nx = data.length("x"), ny = data.length("y");
+  const Index nz = data.length(variable.dimensions.front()), nx = data.length("x"), ny = data.length("y");
   const Index columns = section.along_x ? nx : ny;
   if (is_section(variable)) return Eigen::Map<const Field>(values.data(), nz, columns);
-  if (variable.dimensions != std::vector<std::string>{"z", "x", "y"})
+  if (variable.dimensions != std::vector<std::string>{"z", "x", "y"} && !is_in_layers(variable))
     throw DataError(variable.name, "is not a volume on (z, x, y)");
   return Field::NullaryExpr(nz, columns, [&](Index k, Index c) {
     const Index i = section.along_x ? c : section.index, j = section.along_x ? section.index : c;
@@ -88,7 +93,8 @@ struct Cut {
 };
 Cut cut_of(const Dataset& data, const std::string& variable, const Grid& grid, const Section& section,
            const Request& request) {
-  const std::vector<double> depths = depths_of(data);
+  const std::vector<double> depths =
+      is_in_layers(data.at(variable)) ? present_values(data.at("layer")) : depths_of(data);
   if (depths.size() < 2 || !std::ranges::is_sorted(depths, std::less_equal<>()))
     throw DataError("z", "a section needs at least two depths in ascending order");
   std::vector<double> along;

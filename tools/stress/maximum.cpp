@@ -36,6 +36,17 @@ const CriterionWords& criterion_words(Criterion of) {
   return *std::ranges::find(criteria, of, &CriterionWords::criterion);
 }
 
+// The middles of the layers that have flown, where the stress is known best, and on to three times their
+// depth.
+std::vector<double> depths_with_flow(const StressScene& scene, const StressSearch& search) {
+  constexpr double ratio = 1.25, further = 3;
+  std::vector<double> out = scene.residual->depths();
+  for (const double deepest = further * out.back(); out.back() < deepest;) out.push_back(ratio * out.back());
+  std::erase_if(out, [&](double z) { return z < search.below; });
+  if (out.empty() || search.below > 0) out.insert(out.begin(), search.below);
+  return out;
+}
+
 // `layers`: those of a dataset follow.
 StressMaximum search_layers(const Tool& tool, const StressScene& scene, const LoadedBody& body,
                             const StressSearch& search) {
@@ -43,12 +54,17 @@ StressMaximum search_layers(const Tool& tool, const StressScene& scene, const Lo
   Progress progress(tool, layers ? 0.5 : 1);
   StepTable probes(tool,
                    {"layer", "depth [um]", fmt::format("greatest {} [MPa]", criterion_words(search.of).of)});
-  const StressSolver volume(body, tool.thread_count(), scene.resolution);
-  return maximum_stress(volume, search, [&](const StressProbe& p) {
+  const auto volume = scene.solver(body, std::nullopt, tool.thread_count());
+  const auto tell = [&](const StressProbe& p) {
     progress.count(static_cast<double>(p.done), static_cast<double>(p.expected), "layers searched");
     probes.row({std::to_string(p.done), fmt::format("{:.6g}", p.depth * 1e6),
                 fmt::format("{:.6g}", p.value * 1e-6)});
-  });
+  };
+  if (!scene.residual) return maximum_stress(*volume, search, tell);
+  const auto layers_searched = maximum_by_depth(*volume, search.of, depths_with_flow(scene, search), tell);
+  StressMaximum top = *std::ranges::max_element(layers_searched, {}, &StressMaximum::value);
+  top.layers = std::ssize(layers_searched);
+  return top;
 }
 
 // `missing`: edge_error, 0 where no edge counts, NaN where it is not known.
@@ -108,8 +124,9 @@ StressMaximum found_maximum(const Tool& tool, StressScene& scene, const StressSe
   if (top.value == 0) return top;
   if (search.below > 0 && top.depth == search.below)
     tool.note(fmt::format("the largest {} lies at the depth of --below; above it, it is larger", what));
-  const double missing =
-      search.below > 0 ? 0 : edge_error(top, search.of, body, at_limit_pressure(scene.data, body));
+  const double missing = search.below > 0 || scene.residual
+                             ? 0
+                             : edge_error(top, search.of, body, at_limit_pressure(scene.data, body));
   if (missing > 0) a.set(error_name(quantity.name.text), missing);
   warn_if_shallow(tool, body, search, top, missing);
   warn_if_at_edge(tool, body.grid, top, what);
@@ -143,7 +160,7 @@ Table maxima_of(const Tool& tool, const StressOptions& options, const StressScen
   const StressSearch search = search_of(options, scene.body.grid);
   const auto& [criterion, of, quantity, what] = criterion_words(search.of);
   Progress progress(tool);
-  const auto maxima = maximum_by_depth(StressSolver(scene.body, tool.thread_count(), scene.resolution),
+  const auto maxima = maximum_by_depth(*scene.solver(scene.body, std::nullopt, tool.thread_count()),
                                        search.of, scene.depths, [&](const StressProbe& p) {
                                          progress.count(static_cast<double>(p.done),
                                                         static_cast<double>(p.expected), "layers");

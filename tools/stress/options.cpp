@@ -101,6 +101,7 @@ void refuse_if(bool wrong, const char* option, const std::string& why) {
 void StressOptions::check(Tool& tool) {
   check_content(tool);
   check_ranks(tool);
+  threads = tool.thread_count();
   if (!above.empty()) static_cast<void>(StressBound(above));
   refuse_if(points == "-" && surfaces.takes_standard_input(), "points",
             "standard input is the dataset: name a file");

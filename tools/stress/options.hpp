@@ -22,6 +22,7 @@ struct StressOptions {
   double poisson = none, friction = 0;
   std::string friction_angle = "0deg";
   int body = 1;
+  int threads = 1;  ///< after check()
   std::string resolution = "adapted";
 
   bool adds(std::string_view word) const { return std::ranges::find(add, word) != add.end(); }

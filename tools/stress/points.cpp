@@ -78,14 +78,15 @@ Places parse_points(std::string_view text, const MemoryBound& memory) {
 }
 
 // The tensor at each point: a row a component.
-Field stress_at(const StressPoints& below, const Places& points, int threads) {
+Field stress_at(const StressPoints& below, const ResidualStress* residual, const Places& points,
+                int threads) {
   const auto count = static_cast<Index>(points.size());
   Field out(6, count);
   parallel_ranges(count, threads, [&](Index begin, Index end, int) {
     for (Index k = begin; k < end; ++k) {
       const auto [x, y, z] = points[static_cast<std::size_t>(k)];
-      const stress::Tensor s = below.at(x, y, z);
-      for (stress::Component c : stress::components) out(static_cast<Index>(c), k) = s[c];
+      const stress::Tensor s = below.at(x, y, z), left = residual ? residual->at(x, y, z) : stress::Tensor{};
+      for (stress::Component c : stress::components) out(static_cast<Index>(c), k) = s[c] + left[c];
     }
   });
   return out;
@@ -100,11 +101,11 @@ double largest_in(const Table& table, std::string_view name) {
   return top;
 }
 
-Table stress_table(const StressPoints& below, const StressSelection& selection, const Places& points,
-                   int threads) {
+Table stress_table(const StressPoints& below, const ResidualStress* residual,
+                   const StressSelection& selection, const Places& points, int threads) {
   Table table{{{"x", "m"}, {"y", "m"}, {"z", "m"}}, {}};
   for (const auto& output : selection.outputs()) table.columns.push_back({output.name, output.units});
-  const Field components = stress_at(below, points, threads);
+  const Field components = stress_at(below, residual, points, threads);
   std::vector<std::vector<double>> values(selection.outputs().size(), std::vector<double>(points.size()));
   StressRow row{};
   for (stress::Component c : stress::components)
@@ -153,7 +154,7 @@ void print_points(const Tool& tool, StressOptions& options, const StressSelectio
   const Places points = parse_points(text, tool.memory_bound(2 * text.size()));
   const StressScene scene = read_scene(tool, options);
   const StressPoints below(scene.body, tool.thread_count());
-  const Table table = stress_table(below, selection, points, tool.thread_count());
+  const Table table = stress_table(below, scene.residual.get(), selection, points, tool.thread_count());
   warn_if_shallow(tool, scene, below, points);
   warn_of_yield(tool, scene, largest_in(table, "von_mises"));
   print(tool, table);

@@ -11,6 +11,7 @@
 #include "core/poisson.hpp"
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
+#include "dataset/unread.hpp"
 #include "tools/cli/section.hpp"
 
 namespace asperity::cli {
@@ -39,6 +40,62 @@ double poisson_of(const StressOptions& o, const Dataset& data) {
   if (!is_poisson_ratio(out))
     throw DataError("contact_poisson", fmt::format("{} must lie above -1 and not above 0.5", out));
   return out;
+}
+
+// A component of the strain in all layers, or nothing.
+std::optional<std::vector<double>> strain_of(const Dataset& data, const std::string& name,
+                                             std::size_t values) {
+  const Variable* found = data.find(name);
+  if (found == nullptr) return std::nullopt;
+  if (found->dimensions != std::vector<std::string>{"layer", "x", "y"})
+    throw DataError(name, "it must lie on (layer, x, y), as asperity-contact writes it");
+  Variable whole = *found;
+  load(whole);
+  std::vector<double> out = numbers(whole.values);
+  if (out.size() != values)
+    throw DataError(name,
+                    "it does not fit contact_layer_edges and the grid; it was cropped or changed since");
+  if (!std::ranges::all_of(out, [](double v) { return std::isfinite(v); }))
+    throw DataError(name, "holds a value that is not a finite number");
+  return out;
+}
+
+// Of a body, by its number in the contact, if that has flown.
+std::shared_ptr<const ResidualStress> residual_of(const Dataset& data, const Grid& grid, int body,
+                                                  double poisson, int threads) {
+  const Values* recorded = data.attributes.find("contact_layer_edges");
+  if (recorded == nullptr) return nullptr;
+  auto of_body = [&](const char* name) {
+    const Values* both = data.attributes.find(name);
+    const std::vector<double> all = both ? numbers(*both) : std::vector<double>();
+    if (all.size() != 2)
+      throw DataError(name, "it must be a number for each body, as asperity-contact writes it");
+    return all[size(body - 1)];
+  };
+  if (!std::isfinite(of_body("contact_yield"))) return nullptr;
+  const std::vector<double> edges = numbers(*recorded);
+  if (edges.size() < 3 || edges.front() != 0 || !std::ranges::is_sorted(edges, std::less_equal<>()))
+    throw DataError("contact_layer_edges", "it must rise from 0");
+  const Index layers = std::ssize(edges) - 1, cells = grid.shape.cells();
+  const bool counter = body == 2 && data.has("plastic_strain_counter_xx");
+  LayeredField strain(layers, deviator::components, grid.shape);
+  for (const stress::Component c : stress::components) {
+    const std::string name =
+        (counter ? "plastic_strain_counter_" : "plastic_strain_") + std::string(stress::names[c]);
+    const auto values = strain_of(data, name, size(layers * cells));
+    if (!values)
+      throw DataError(name,
+                      "the dataset has contact_layer_edges, but not this strain of the body that flows");
+    stress::Tensor unit{};
+    unit[c] = 1;
+    const deviator::Vector weights = deviator::of(unit);
+    for (Index k = 0; k < layers; ++k)
+      for (Index d = 0; d < deviator::components; ++d)
+        if (weights[size(d)] != 0)
+          strain(k, d) += weights[size(d)] *
+                          Eigen::Map<const Field>(values->data() + k * cells, grid.shape.nx, grid.shape.ny);
+  }
+  return std::make_shared<ResidualStress>(grid, edges, strain, of_body("contact_young"), poisson, threads);
 }
 
 // In rows from `first` on.
@@ -92,6 +149,13 @@ StressScene scene_of(const StressOptions& options, Dataset data, const Ranks& ra
   if (!options.above.empty())
     scene.least = StressBound(options.above).in(scene.data, [&] { return scene.body.largest(); });
   scene.resolution = options.resolution == "full" ? DepthResolution::full : DepthResolution::adapted;
+  if (scene.data.attributes.find("contact_layer_edges") == nullptr) return scene;
+  if (ranks.count() > 1)
+    throw UsageError("body",
+                     fmt::format("has flown: its residual stress cannot be computed by {} ranks; start one "
+                                 "process",
+                                 ranks.count()));
+  scene.residual = residual_of(scene.data, grid, options.body, poisson, options.threads);
   return scene;
 }
 
@@ -131,6 +195,13 @@ void warn_of_shallow_layers(const Tool& tool, const StressScene& scene) {
       accurate_depth(scene.body.grid) * 1e6, 100 * shallow_error(scene.body.poisson, scene.body.friction)));
 }
 
+std::unique_ptr<StressSolver> StressScene::solver(const LoadedBody& of, const std::optional<Plane>& section,
+                                                  int threads) const {
+  auto out = std::make_unique<StressSolver>(of, section, threads, resolution);
+  out->add(residual);
+  return out;
+}
+
 double StressScene::yield_stress() const {
   constexpr double none = std::numeric_limits<double>::infinity();
   return data.attributes.number("contact_limit_pressure", none) / hardness;
@@ -141,7 +212,8 @@ void warn_of_yield(const Tool& tool, const StressScene& scene, double von_mises)
   if (!(von_mises > yield)) return;
   tool.warn(fmt::format(
       "von Mises stress reaches {:.4g} MPa, above the yield stress of {:.4g} MPa, a third of "
-      "contact_limit_pressure: this is the elastic stress below that pressure, without plastic flow",
+      "contact_limit_pressure: this is the elastic stress below that pressure, without plastic flow, which "
+      "asperity-contact --plasticity j2 computes",
       von_mises * 1e-6, yield * 1e-6));
 }
 

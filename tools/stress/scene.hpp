@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "dataset/dataset.hpp"
+#include "plastic/residual_stress.hpp"
 #include "stress/layers.hpp"
 #include "tools/stress/options.hpp"
 
@@ -17,7 +19,11 @@ struct StressScene {
   std::optional<Plane> plane;  ///< of a section
   double least = 0;            ///< stresses of smaller modulus are left out [Pa]
   DepthResolution resolution = DepthResolution::adapted;
+  std::shared_ptr<const ResidualStress> residual = {};  ///< that flow has left (tools/contact/plasticity.hpp)
 
+  /// Of whole layers, or of the section, with the residual stress.
+  std::unique_ptr<StressSolver> solver(const LoadedBody& of, const std::optional<Plane>& section,
+                                       int threads) const;
   /// [Pa], a third of the contact's limit pressure; infinite where it has none.
   double yield_stress() const;
 };

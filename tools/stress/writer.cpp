@@ -19,7 +19,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What is no stress, such as a direction, is kept, and then needs every layer.
 std::vector<double> depths_of_interest(const StressScene& s, const std::vector<StressOutput>& outputs) {
-  if (!(s.least > 0) || !std::ranges::all_of(outputs, &StressOutput::is_stress)) return s.depths;
+  if (!(s.least > 0) || s.residual || !std::ranges::all_of(outputs, &StressOutput::is_stress))
+    return s.depths;
   std::vector<double> out;
   const double bound = stress_bound(s.body);
   std::ranges::copy_if(s.depths, std::back_inserter(out),

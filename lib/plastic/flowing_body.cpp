@@ -1,0 +1,189 @@
+#include "plastic/flowing_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.hpp"
+
+namespace asperity {
+namespace {
+
+constexpr Index numbers = deviator::components;
+
+}  // namespace
+
+FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const PlasticMaterial& material, int alike,
+                         int threads)
+    : grid_(box.grid(grid)),
+      material_(material),
+      alike_(alike),
+      threads_(threads),
+      body_(grid_, box.edges, material.shear_modulus(), material.poisson, threads),
+      strain_(box.layers(), numbers, grid_.shape),
+      equivalent_(box.layers(), 1, grid_.shape),
+      stress_(strain_),
+      changed_(strain_),
+      slot_(size(equivalent_.values.size()), -1),
+      share_(equivalent_) {}
+
+FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const FlowingBody& smaller,
+                         const PlasticBox& own)
+    : FlowingBody(grid, box, smaller.material_, smaller.alike_, smaller.threads_) {
+  for (Index k = 0; k < smaller.layers(); ++k) {
+    auto place = [&](LayeredField& f, const LayeredField& g, Index c) {
+      f(k, c).block(own.x.first - box.x.first, own.y.first - box.y.first, own.x.count, own.y.count) = g(k, c);
+    };
+    place(equivalent_, smaller.equivalent_, 0);
+    for (Index c = 0; c < numbers; ++c) place(strain_, smaller.strain_, c);
+  }
+  dissipated_ = smaller.dissipated_;
+}
+
+double FlowingBody::weight(Index point) const {
+  return std::sqrt(body_.thickness(point / grid_.shape.cells()));
+}
+
+// In a field of five components.
+Index FlowingBody::place(Index point, Index component) const {
+  const Index cells = grid_.shape.cells();
+  return (point / cells * numbers + component) * cells + point % cells;
+}
+
+LayeredField FlowingBody::residual_stress() {
+  LayeredField out(layers(), numbers + 1, grid_.shape);
+  body_.set_strain(strain_);
+  body_.stress(nullptr, out);
+  return out;
+}
+
+double FlowingBody::stored() {
+  const LayeredField stress = residual_stress();
+  double sum = 0;
+  for (Index k = 0; k < layers(); ++k)
+    for (Index c = 0; c < numbers; ++c)
+      sum -= 0.5 * body_.thickness(k) * (strain_(k, c) * stress(k, c)).sum();
+  return alike_ * grid_.cell_area() * sum;
+}
+
+// ---- an increment ----
+
+void FlowingBody::begin() {
+  for (const Index point : points_) slot_[size(point)] = -1;
+  points_.clear();
+  gamma_.clear();
+}
+
+Index FlowingBody::add_points(double share) {
+  const auto before = points_.size();
+  for (Index n = 0; n < share_.values.size(); ++n)
+    if (share_.values[n] > share && slot_[size(n)] < 0) {
+      slot_[size(n)] = static_cast<int>(points_.size());
+      points_.push_back(n);
+    }
+  gamma_.resize(points_.size());
+  return static_cast<Index>(points_.size() - before);
+}
+
+void FlowingBody::set_scale(std::span<double> scale) const {
+  for (std::size_t n = 0; n < points_.size(); ++n)
+    std::fill_n(scale.begin() + static_cast<Index>(n) * numbers, numbers,
+                2 * material_.shear_modulus() / (material_.hardening.yield * weight(points_[n])));
+}
+
+std::vector<double> FlowingBody::former(double factor) {
+  begin();
+  std::vector<double> out;
+  for (std::size_t n = 0; n < former_points_.size(); ++n) {
+    const double* last = former_.data() + n * numbers;
+    if (std::all_of(last, last + numbers, [](double v) { return v == 0; })) continue;
+    slot_[size(former_points_[n])] = static_cast<int>(points_.size());
+    points_.push_back(former_points_[n]);
+    std::transform(last, last + numbers, std::back_inserter(out), [&](double v) { return factor * v; });
+  }
+  gamma_.resize(points_.size());
+  return out;
+}
+
+Field FlowingBody::displaced(std::span<const double> unknowns) {
+  changed_.values = strain_.values;
+  for (std::size_t n = 0; n < points_.size(); ++n)
+    for (Index c = 0; c < numbers; ++c)
+      changed_.values[place(points_[n], c)] += unknowns[n * numbers + size(c)] / weight(points_[n]);
+  body_.set_strain(changed_);
+  return alike_ * body_.displacement();
+}
+
+double FlowingBody::respond(const Field& pressure, std::span<const double> unknowns, std::span<double> out) {
+  body_.stress(&pressure, stress_);
+  parallel_ranges(layers(), threads_, [&](Index begin, Index end, int) {
+    for (Index k = begin; k < end; ++k) set_shares(k);
+  });
+  parallel_ranges(std::ssize(points_), threads_, [&](Index begin, Index end, int) {
+    for (Index n = begin; n < end; ++n)
+      flow(n, unknowns.subspan(size(n * numbers), numbers), out.subspan(size(n * numbers), numbers));
+  });
+  return share_.values.maxCoeff();
+}
+
+// Of a layer, as if all of it were elastic.
+void FlowingBody::set_shares(Index layer) {
+  Field square = stress_(layer, 0).square();
+  for (Index c = 1; c < numbers; ++c) square += stress_(layer, c).square();
+  const Hardening& h = material_.hardening;
+  const auto strain = equivalent_(layer, 0);
+  if (h.strength > 0)
+    share_(layer, 0) = (1.5 * square).sqrt() / (h.strength * (h.offset + strain).pow(h.exponent));
+  else
+    share_(layer, 0) = (1.5 * square).sqrt() / (h.yield + h.modulus * strain);
+}
+
+// (1) of a point.
+void FlowingBody::flow(Index n, std::span<const double> change, std::span<double> out) {
+  const Index point = points_[size(n)];
+  const double h = weight(point), stiff = 2 * material_.shear_modulus();
+  deviator::Vector trial;
+  double square = 0;
+  for (Index c = 0; c < numbers; ++c) {
+    trial[size(c)] = stress_.values[place(point, c)] + stiff * change[size(c)] / h;
+    square += trial[size(c)] * trial[size(c)];
+  }
+  const double q = deviator::root_three_halves * std::sqrt(square),
+               gamma = material_.hardening.flow(q, equivalent_.values[point], material_.shear_modulus());
+  gamma_[size(n)] = gamma;
+  share_.values[point] = 0;
+  for (Index c = 0; c < numbers; ++c) out[size(c)] = gamma > 0 ? 1.5 * gamma / q * h * trial[size(c)] : 0;
+}
+
+void FlowingBody::commit(std::span<const double> unknowns) {
+  const Hardening& hardening = material_.hardening;
+  const Index cells = grid_.shape.cells();
+  former_points_ = points_;
+  former_.assign(unknowns.begin(), unknowns.end());
+  for (std::size_t n = 0; n < points_.size(); ++n) {
+    const Index point = points_[n];
+    double& equivalent = equivalent_.values[point];
+    const double before = hardening.flow_stress(equivalent);
+    equivalent += gamma_[n];
+    dissipated_ += alike_ * grid_.cell_area() * body_.thickness(point / cells) * gamma_[n] *
+                   (before + hardening.flow_stress(equivalent)) / 2;
+    for (Index c = 0; c < numbers; ++c)
+      strain_.values[place(point, c)] += unknowns[n * numbers + size(c)] / weight(point);
+  }
+}
+
+BoxSides FlowingBody::reached() const {
+  BoxSides out;
+  const auto [nx, ny] = grid_.shape;
+  for (std::size_t n = 0; n < points_.size(); ++n) {
+    if (!(gamma_[n] > 0)) continue;
+    const Index layer = points_[n] / grid_.shape.cells(), cell = points_[n] % grid_.shape.cells();
+    out.west |= cell / ny == 0;
+    out.east |= cell / ny == nx - 1;
+    out.south |= cell % ny == 0;
+    out.north |= cell % ny == ny - 1;
+    out.bottom |= layer == layers() - 1;
+  }
+  return out;
+}
+
+}  // namespace asperity
