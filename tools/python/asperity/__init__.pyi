@@ -145,6 +145,11 @@ class ContactOptions(_EachOptions, total=False):
     limit_pressure: _Quantity | None
     add: _Value | None
     accuracy: _Value | None
+    plasticity: Literal["cut", "j2", None]
+    hardening: _Value | None
+    depths: _Quantity | None
+    increments: _Value | None
+    unload: bool | None
     each: _Name | None
     tolerance: _Value | None
     max_convolutions: _Value | None
@@ -600,6 +605,11 @@ class _Contact:
     rms_height: Result[float]
     elastic_energy: Result[float]
     plastic_work: Result[float]
+    dent: Result[float]
+    plastic_volume: Result[float]
+    max_plastic_strain: Result[float]
+    dissipated_energy: Result[float]
+    stored_energy: Result[float]
     patches: Result[float]
     largest_patch: Result[float]
     percolates_x: Result[bool]
@@ -621,6 +631,14 @@ class _Contact:
     variable: Result[str]
     counter: Result[str]
     limit_pressure: Result[Any]
+    plasticity: Result[str]
+    yield: Result[Any]
+    hardening: Result[str]
+    layer_edges: Result[Any]
+    increments: Result[float]
+    increment_error: Result[float]
+    evaluations: Result[float]
+    plastic_residual: Result[float]
     tolerance: Result[Any]
     converged: Result[bool]
     residual: Result[float]
