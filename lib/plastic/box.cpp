@@ -11,7 +11,6 @@ namespace asperity {
 namespace {
 
 constexpr double scan_ratio = 1.25, first_scan = 0.5;      // depths of the scan, the first one in cells
-constexpr double deeper = 1.25;                            // than the yielding depth
 constexpr Index least_margin = 4, margin_part = 8;         // cells, and a part of the window
 constexpr double at_asperities = 0.25, in_the_bulk = 0.5;  // thickness of the first layer [cells]
 constexpr Index more_layers = 3;                           // for a quarter of the depth, at least
@@ -95,7 +94,7 @@ PlasticBox yielding_box(const Grid& grid, const Field& pressure, double poisson,
   box.x = with_margin(box.x, margin_x, margin_x, grid.shape.nx, grid.periodic.x);
   box.y = with_margin(box.y, margin_y, margin_y, grid.shape.ny, grid.periodic.y);
   const double first = cell * (found.front().any() ? at_asperities : in_the_bulk);
-  box.edges = graded_layers(deeper * std::max(depth, cell), first, layers);
+  box.edges = graded_layers(deeper_box * std::max(depth, cell), first, layers);
   return box;
 }
 
@@ -108,8 +107,8 @@ PlasticBox grown(const PlasticBox& box, const BoxSides& sides, const Grid& grid)
       with_margin(box.y, more(sides.south, box.y), more(sides.north, box.y), grid.shape.ny, grid.periodic.y);
   if (!sides.bottom) return out;
   const double depth = box.edges.back(), last = depth - box.edges[box.edges.size() - 2],
-               step = std::max(last, (deeper - 1) * depth / static_cast<double>(more_layers));
-  while (out.edges.back() < deeper * depth * (1 - 1e-9)) out.edges.push_back(out.edges.back() + step);
+               step = std::max(last, (deeper_box - 1) * depth / static_cast<double>(more_layers));
+  while (out.edges.back() < deeper_box * depth * (1 - 1e-9)) out.edges.push_back(out.edges.back() + step);
   return out;
 }
 

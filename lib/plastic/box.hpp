@@ -25,6 +25,9 @@ struct PlasticBox {
   bool operator==(const PlasticBox&) const = default;
 };
 
+/// How much deeper than the pressure yields the layers of yielding_box reach.
+inline constexpr double deeper_box = 1.25;
+
 /// 0 = z_0 < … < z_n = depth, the first layer at most `first` thick.
 std::vector<double> graded_layers(double depth, double first, Index layers);
 

@@ -22,8 +22,7 @@ FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const PlasticM
       strain_(box.layers(), numbers, grid_.shape),
       equivalent_(box.layers(), 1, grid_.shape),
       stress_(strain_),
-      changed_(strain_),
-      slot_(size(equivalent_.values.size()), -1),
+      is_unknown_(size(equivalent_.values.size()), 0),
       share_(equivalent_) {}
 
 FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const FlowingBody& smaller,
@@ -37,6 +36,15 @@ FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const FlowingB
     for (Index c = 0; c < numbers; ++c) place(strain_, smaller.strain_, c);
   }
   dissipated_ = smaller.dissipated_;
+}
+
+double FlowingBody::memory(const PlasticBox& box) {
+  const auto points = static_cast<double>(box.x.count * box.y.count * box.layers());
+  constexpr double fields = 13 * sizeof(double) + 1, kernel = 5 * sizeof(float),
+                   spectra = 5 * sizeof(Complex), most_spectra_held = 256e6,
+                   a_point = (3 * 5 + 9 + 6) * numbers * sizeof(double), share_of_points = 0.25;
+  return std::min(spectra * points, most_spectra_held) +
+         points * (fields + kernel + share_of_points * a_point);
 }
 
 double FlowingBody::weight(Index point) const {
@@ -68,7 +76,8 @@ double FlowingBody::stored() {
 // ---- an increment ----
 
 void FlowingBody::begin() {
-  for (const Index point : points_) slot_[size(point)] = -1;
+  restore();
+  for (const Index point : points_) is_unknown_[size(point)] = 0;
   points_.clear();
   gamma_.clear();
 }
@@ -76,8 +85,8 @@ void FlowingBody::begin() {
 Index FlowingBody::add_points(double share) {
   const auto before = points_.size();
   for (Index n = 0; n < share_.values.size(); ++n)
-    if (share_.values[n] > share && slot_[size(n)] < 0) {
-      slot_[size(n)] = static_cast<int>(points_.size());
+    if (share_.values[n] > share && is_unknown_[size(n)] == 0) {
+      is_unknown_[size(n)] = 1;
       points_.push_back(n);
     }
   gamma_.resize(points_.size());
@@ -96,7 +105,7 @@ std::vector<double> FlowingBody::former(double factor) {
   for (std::size_t n = 0; n < former_points_.size(); ++n) {
     const double* last = former_.data() + n * numbers;
     if (std::all_of(last, last + numbers, [](double v) { return v == 0; })) continue;
-    slot_[size(former_points_[n])] = static_cast<int>(points_.size());
+    is_unknown_[size(former_points_[n])] = 1;
     points_.push_back(former_points_[n]);
     std::transform(last, last + numbers, std::back_inserter(out), [&](double v) { return factor * v; });
   }
@@ -105,16 +114,28 @@ std::vector<double> FlowingBody::former(double factor) {
 }
 
 Field FlowingBody::displaced(std::span<const double> unknowns) {
-  changed_.values = strain_.values;
+  restore();
+  before_.reserve(unknowns.size());
   for (std::size_t n = 0; n < points_.size(); ++n)
-    for (Index c = 0; c < numbers; ++c)
-      changed_.values[place(points_[n], c)] += unknowns[n * numbers + size(c)] / weight(points_[n]);
-  body_.set_strain(changed_);
+    for (Index c = 0; c < numbers; ++c) {
+      double& strain = strain_.values[place(points_[n], c)];
+      before_.push_back(strain);
+      strain += unknowns[n * numbers + size(c)] / weight(points_[n]);
+    }
+  body_.set_strain(strain_);
   return alike_ * body_.displacement();
+}
+
+// ε_n, where it is ε_n + D.
+void FlowingBody::restore() {
+  for (std::size_t n = 0; n < before_.size(); ++n)
+    strain_.values[place(points_[n / numbers], static_cast<Index>(n % numbers))] = before_[n];
+  before_.clear();
 }
 
 double FlowingBody::respond(const Field& pressure, std::span<const double> unknowns, std::span<double> out) {
   body_.stress(&pressure, stress_);
+  restore();
   parallel_ranges(layers(), threads_, [&](Index begin, Index end, int) {
     for (Index k = begin; k < end; ++k) set_shares(k);
   });

@@ -36,6 +36,9 @@ class FlowingBody {
   /// The same body with its strain, in a larger box than its own.
   FlowingBody(const Grid& grid, const PlasticBox& box, const FlowingBody& smaller, const PlasticBox& own);
 
+  /// What it needs [bytes], where a quarter of the box flows at a time.
+  static double memory(const PlasticBox& box);
+
   const PlasticMaterial& material() const { return material_; }
   int alike() const { return alike_; }
   Index layers() const { return body_.layers(); }
@@ -71,6 +74,7 @@ class FlowingBody {
   BoxSides reached() const;
 
  private:
+  void restore();
   double weight(Index point) const;
   Index place(Index point, Index component) const;
   void set_shares(Index layer);
@@ -81,11 +85,12 @@ class FlowingBody {
   int alike_;
   int threads_;
   LayeredBody body_;
-  LayeredField strain_, equivalent_, stress_, changed_;
-  std::vector<Index> points_;  ///< layer · cells + cell
-  std::vector<int> slot_;      ///< of each cell of a layer: its point; none: -1
-  LayeredField share_;         ///< von Mises stress over flow stress
-  std::vector<double> gamma_;  ///< of each point
+  LayeredField strain_, equivalent_, stress_;
+  std::vector<Index> points_;     ///< layer · cells + cell
+  std::vector<double> before_;    ///< ε_n of the points, while the strain is ε_n + D; or none
+  std::vector<char> is_unknown_;  ///< of each cell of a layer
+  LayeredField share_;            ///< von Mises stress over flow stress
+  std::vector<double> gamma_;     ///< of each point
   std::vector<Index> former_points_;
   std::vector<double> former_;
   double dissipated_ = 0;

@@ -33,6 +33,16 @@ void PlasticParameters::check() const {
       throw ParameterError("depths", fmt::format("{} m does not lie below {} m", edges[k], edges[k - 1]));
 }
 
+void PlasticParameters::check(const PlasticBox& box, Index bodies) const {
+  constexpr double megabyte = 1e6;
+  const double needed = static_cast<double>(bodies) * FlowingBody::memory(box);
+  if (needed > memory)
+    throw ParameterError(
+        "memory", fmt::format("{:.0f} MB is less than the {:.0f} MB that flow in {}x{} cells and {} "
+                              "layers needs: allow more, or take fewer layers or cells",
+                              memory / megabyte, needed / megabyte, box.x.count, box.y.count, box.layers()));
+}
+
 PlasticContact::Path::Path(const Grid& grid, Field gap, const Bodies& bodies, ElasticOperator& influence,
                            ContactParameters contact_parameters, PlasticParameters parameters)
     : grid_(grid),
@@ -73,8 +83,14 @@ void PlasticContact::Path::choose_box(const PlasticTarget& target) {
   box = yielding_box(grid_, pressed.pressure, first.poisson, least, parameters_.layers,
                      contact_parameters_.threads);
   if (box.edges.empty()) return;
-  if (!parameters_.edges.empty()) box.edges = parameters_.edges;
+  if (!parameters_.edges.empty()) {
+    if (const double needed = box.edges.back() / deeper_box; parameters_.edges.back() < needed)
+      throw ParameterError("depths", fmt::format("end at {:.6g} m, but the bodies yield as deep as {:.3g} m",
+                                                 parameters_.edges.back(), needed));
+    box.edges = parameters_.edges;
+  }
   const bool both = flowing(0) && flowing(1);
+  parameters_.check(box, both && !alike() ? 2 : 1);
   auto add = [&](const PlasticMaterial& material, int count) {
     flowing_bodies.push_back(
         std::make_unique<FlowingBody>(grid_, box, material, count, contact_parameters_.threads));
@@ -226,6 +242,7 @@ void PlasticContact::Path::increment(const PlasticTarget& target, bool goes_on) 
       flowed_ = true;
       return;
     }
+    parameters_.check(larger, std::ssize(flowing_bodies));
     for (auto& body : flowing_bodies) body = std::make_unique<FlowingBody>(grid_, larger, *body, box);
     box = larger;
     contact = before;

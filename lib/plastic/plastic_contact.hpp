@@ -47,15 +47,18 @@
 namespace asperity {
 
 struct PlasticParameters {
-  std::array<Hardening, 2> hardening;  ///< of each body
-  std::vector<double> edges = {};      ///< of layers [m]; empty: chosen
-  Index layers = 24;                   ///< where they are chosen
-  double tolerance = 1e-4;             ///< of (2)
-  int depth = 5;                       ///< of Anderson's acceleration
-  int max_evaluations = 200;           ///< an increment
+  std::array<Hardening, 2> hardening;                       ///< of each body
+  std::vector<double> edges = {};                           ///< of layers [m]; empty: chosen
+  Index layers = 24;                                        ///< where they are chosen
+  double tolerance = 1e-4;                                  ///< of (2)
+  int depth = 5;                                            ///< of Anderson's acceleration
+  int max_evaluations = 200;                                ///< an increment
+  double memory = std::numeric_limits<double>::infinity();  ///< [bytes]
   /// Called after each increment: how many of how many are done.
   std::function<void(int done, int of)> progress = {};
 
+  /// Throws ParameterError("memory") where a box of so many cells needs more than that.
+  void check(const PlasticBox& box, Index bodies) const;
   /// Throws ParameterError as Hardening::check does, ("yield") unless a body flows, ("depths") unless edges
   /// rise from 0.
   void check() const;

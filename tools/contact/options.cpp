@@ -185,6 +185,7 @@ void ContactOptions::check(Tool& tool) {
   contact.threads = tool.thread_count();
   contact.check();
   check_streams(tool);
+  plastic.parameters.memory = static_cast<double>(tool.memory_bound().bytes);
   if (plastic.flows() && !tabulates() && !unloads()) add.emplace_back("heights_residual");
   check_accuracy(tool);
 }
