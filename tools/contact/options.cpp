@@ -144,9 +144,9 @@ void ContactOptions::declare_load(Tool& tool) {
       load);
   tool.text(
       "--accuracy", accuracy_, "SHARE",
-      "Refine the surface by its own band limit, 2, 4, 8 or 16 times, until the errors of the grid are "
-      "no larger than this: those of the load or approach, the largest pressure, the corrected area and "
-      "an added stiffness; 1%, 0.005. Exit 3 if that is not reached. Implies --add grid_errors",
+      "Refine until the errors of the grid are no larger; 1%, 0.005. The surface is refined by its own band "
+      "limit, 2, 4, 8 or 16 times; errors are those of the load or approach, the largest pressure, the "
+      "corrected area and an added stiffness. Exit 3 if that is not reached. Implies --add grid_errors",
       load);
   plastic.declare(tool);
   declare_sweep(tool);
