@@ -124,7 +124,7 @@ TEST_CASE("a second pass shakes down: it adds no strain", "[plastic][law]") {
 }
 
 // The work of the path by the trapezium rule; energies by the ends of increments: errors of order 1 and 2 of
-// both, 1.3 % and 0.2 % of 12 and 48 increments.
+// both, 0.2 % and 0.024 % of 24 and 96 increments.
 TEST_CASE("the work of a load and its removal is dissipated or stored", "[plastic][law][slow]") {
   const Scene scene = sphere(21, half_side(6));
   double error[2] = {};
@@ -143,8 +143,8 @@ TEST_CASE("the work of a load and its removal is dissipated or stored", "[plasti
     error[n == 12 ? 0 : 1] = std::abs(work / lost - 1);
   }
   CAPTURE(error[0], error[1]);
-  CHECK(error[0] <= 2e-2);
-  CHECK(error[1] <= 3e-3);
+  CHECK(error[0] <= 5e-3);
+  CHECK(error[1] <= 1e-3);
 }
 
 TEST_CASE("bodies and their mirror images flow alike", "[plastic][law]") {
@@ -213,7 +213,7 @@ TEST_CASE("a rough contact flows as by the plain iteration", "[plastic][exact][s
     return contact.displacement(0);
   };
   const Field fast = pressed(5), plain = pressed(0);
-  CHECK((fast - plain).abs().maxCoeff() <= 1e-8 * plain.maxCoeff());
+  CHECK((fast - plain).abs().maxCoeff() / plain.maxCoeff() <= 1e-8);
 }
 
 // Fully periodic operators take the pressure as waves, the others as uniform cells: 2.5 % of the dent with
