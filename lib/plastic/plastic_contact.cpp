@@ -116,8 +116,9 @@ void PlasticContact::Path::check_borne(const PlasticTarget& target, double yield
 BoxSides PlasticContact::Path::reached() const {
   const auto [x, y] = extents(contact.pressure, [](double p) { return p > 0; });
   BoxSides out;
+  const Index east = x.end(), north = y.end();
   if (x.count > 0)
-    out = {x.first <= box.x.first, x.end() >= box.x.end(), y.first <= box.y.first, y.end() >= box.y.end()};
+    out = {x.first <= box.x.first, east >= box.x.end(), y.first <= box.y.first, north >= box.y.end()};
   for (const auto& body : flowing_bodies) {
     const BoxSides sides = body->reached();
     out.west |= sides.west, out.east |= sides.east, out.south |= sides.south, out.north |= sides.north;
@@ -166,8 +167,10 @@ void PlasticContact::Path::solve(const PlasticTarget& target, const Field& displ
   Field gap = gap_;
   if (displaced.size() > 0) gap.block(box.x.first, box.y.first, box.x.count, box.y.count) += displaced;
   const bool pressed = target.approach ? *target.approach > gap.minCoeff() : target.load > 0;
-  contact = pressed ? solve_contact(grid_, std::move(gap), influence_, parameters_of(target))
-                    : untouched(gap, target.approach);
+  if (pressed)
+    contact = solve_contact(grid_, std::move(gap), influence_, parameters_of(target));
+  else
+    contact = untouched(gap, target.approach);
   convolutions += contact.convolutions;
 }
 

@@ -118,7 +118,7 @@ class OneTable(support.TestCase):
             if option["names"] and not option["prints"] and option["name"] not in ("quiet", "json", "table"):
                 self.assertIn(option["text"], text)
         self.assertIn("load : QUANTITY, a number of asperity.si is in N\n", text)
-        self.assertIn("yield_ : QUANTITY, a number of asperity.si is in Pa\n", text)
+        self.assertIn("yield_ : A[,B], a number of asperity.si is in Pa\n", text)
         self.assertIn("radius : A[,B], a number of asperity.si is in m\n", text)
         self.assertIn("poisson : A[,B]\n", text)
 
