@@ -16,6 +16,7 @@ constexpr std::size_t least_features = 10;  // that an error needs
 struct FeatureSample {
   Features features = {};
   std::optional<LocalMeans> means = {};  ///< none: no errors are asked for
+  std::string plateaus = {};             ///< why what counts peaks has no error; "" if they are points
 };
 
 template <bool of_dales>
@@ -28,6 +29,8 @@ Estimate mean_over(const FeatureSample& of, bool of_dales, Features::Figure figu
                    const char* what) {
   const Features::Kind& kind = of_dales ? of.features.dales() : of.features.hills();
   const double value = kind.figures(of.features.area()).*figure;
+  const bool of_peaks = figure == &FeatureFigures::density || figure == &FeatureFigures::curvature;
+  if (of_peaks && !of.plateaus.empty()) return {.value = value, .why = of.plateaus};
   if (!of.means || !std::isfinite(value)) return {value};
   if (number < least_features)
     return {.value = value,
@@ -118,6 +121,9 @@ Parameters feature_parameters(const Sample& sample, const MeasureOptions& option
       throw DataError(surface.variable, "features need heights in m, not in " + surface.units);
     of.features =
         Features(surface.heights, sample.grid(), options.pruning, sample.round_off(), sample.threads());
+    if (const CountedSummits& all = sample.summits(); all.plateaus > 0.01 * all.count)
+      of.plateaus = "no standard error: " + shortest(all.plateaus) + " of " + shortest(all.count) +
+                    " summits are plateaus of equal heights, which smoothing by lambda-s makes points";
     if (sample.needs_errors() && !of_sz) of.means = of.features.means(sample.extent(), sample.threads());
   } catch (const DataError& error) {
     words.why = error.what();
