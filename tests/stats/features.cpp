@@ -269,3 +269,16 @@ TEST_CASE("a field without hills has no features, and says why", "[feature][cont
   CHECK(value_of(few, "Spd") <= 1 / (18e-6 * 18e-6) * (1 + 1e-9));
   CHECK_THAT(few[0].why, ContainsSubstring(", and an error needs 10"));
 }
+
+// Peaks of steps are plateaus: fewer, and of other curvatures, than those of the surface.
+TEST_CASE("peaks of heights in steps have no error, and say why", "[feature][contract]") {
+  const Field z = 1e-6 * (2 * random_field({64, 64}, 3)).round() / 2;
+  MeasureOptions asked{.groups = {Group::feature}};
+  asked.pruning = {0.1e-6, false};
+  const Parameters all = measure({.grid = grid_of(z, 1e-6), .heights = z}, asked);
+  for (const char* name : {"Spd", "Svd", "Spc", "Svc"}) {
+    const Parameter& p = *std::ranges::find(all, name, &Parameter::name);
+    CHECK(std::isnan(p.standard_error));
+    CHECK_THAT(p.why, ContainsSubstring("are plateaus of equal heights"));
+  }
+}
