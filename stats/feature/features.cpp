@@ -46,7 +46,8 @@ void set_curvatures(Features::Kind& kind, const Field& z, const Grid& grid, doub
 }
 
 // Of heights above their mean, and c.
-Features::Kind kind_of(const Field& z, const Grid& grid, double c, double least, double rounding) {
+Features::Kind kind_of(const Field& z, const Grid& grid, const Flags& edge, double c, double least,
+                       double rounding) {
   Features::Kind out;
   Hills all = hills_of(z, grid.periodic);
   out.unpruned = all.all.size();
@@ -54,7 +55,6 @@ Features::Kind kind_of(const Field& z, const Grid& grid, double c, double least,
   for (const Hill& h : out.hills.all)
     out.all.push_back({.i = h.peak / z.cols(), .j = h.peak % z.cols(), .height = h.height, .closed = true});
   set_curvatures(out, z, grid, rounding);
-  const auto edge = edge_of(z, grid);
   for (Index i = 0; i < z.rows(); ++i)
     for (Index j = 0; j < z.cols(); ++j) {
       const HillNumber of = out.hills.of_point(i, j);
@@ -88,12 +88,13 @@ Features::Features(const Field& z, const Grid& grid, const Pruning& pruning, dou
                highest = z.isFinite().select(z, mean).maxCoeff(),
                lowest = z.isFinite().select(z, mean).minCoeff();
   if (!(highest > lowest)) throw DataError("heights", "all are the same: there is no hill");
-  inside_ = !edge_of(z, grid);
+  const Flags edge = edge_of(z, grid);
+  inside_ = !edge;
   const double c = MaterialRatioCurve(z).height(0.5) - mean, least = pruning.height(highest - lowest);
   parallel_ranges(2, threads, [&](Index begin, Index end, int) {
     for (Index dales = begin; dales < end; ++dales)
       (dales ? dales_ : hills_) =
-          kind_of(dales ? mean - z : Field(z - mean), grid, dales ? -c : c, least, rounding);
+          kind_of(dales ? mean - z : Field(z - mean), grid, edge, dales ? -c : c, least, rounding);
   });
 }
 

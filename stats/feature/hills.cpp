@@ -10,7 +10,6 @@ namespace asperity {
 namespace {
 
 using Place = std::int32_t;
-constexpr Place not_taken = -1;
 
 std::size_t at(std::int32_t number) { return static_cast<std::size_t>(number); }
 
@@ -32,50 +31,48 @@ std::vector<Place> by_height(const Field& z) {
   return out;
 }
 
-// Takes the points one by one; those that are connected are a tree with one root.
+// Takes the points one by one. Of connected hills the one with the highest peak, which has the least number,
+// is the root.
 class Flood {
  public:
   Flood(const Field& z, const Periodic& periodic)
       : z_(z.data()),
         nx_(static_cast<Place>(z.rows())),
         ny_(static_cast<Place>(z.cols())),
-        periodic_(periodic),
-        parent_(static_cast<std::size_t>(z.size()), not_taken),
-        count_(parent_.size(), 1),
-        highest_(parent_.size(), no_hill) {
+        periodic_(periodic) {
     hills_.of_point.setConstant(nx_, ny_, no_hill);
   }
 
   void take(Place k) {
     std::array<Place, 8> all{};
     const std::span<const Place> beside{all.data(), find_beside(k, all)};
-    parent_[at(k)] = k;
     if (beside.empty()) {
-      highest_[at(k)] = hill(k) = static_cast<HillNumber>(hills_.all.size());
+      hill(k) = static_cast<HillNumber>(hills_.all.size());
+      up_.push_back(hill(k));
       hills_.all.push_back({.peak = k, .height = z_[k]});
       return;
     }
-    const Place above = *std::ranges::max_element(beside, {}, [this](Place p) { return z_[p]; });
-    hill(k) = hill(above);
-    join(k, root(above));
+    hill(k) = hill(*std::ranges::max_element(beside, {}, [this](Place p) { return z_[p]; }));
     for (const Place other : beside)
       if (hill(other) != hill(k))
-        if (const Place a = root(other), b = root(k); a != b) meet(k, a, b, beside);
+        if (const HillNumber a = root(hill(other)), b = root(hill(k)); a != b)
+          meet(z_[k], std::max(a, b), std::min(a, b), beside);
   }
 
   // After all points in this order.
   Hills ended(const std::vector<Place>& order) && {
     for (const Place k : order)  // the last of connected ones is the lowest
-      hills_.all[at(highest_[at(root(k))])].saddle = z_[k];
+      hills_.all[at(root(hill(k)))].saddle = z_[k];
     return std::move(hills_);
   }
 
  private:
   HillNumber& hill(Place k) { return hills_.of_point.data()[k]; }
+  bool taken(Place k) const { return hills_.of_point.data()[k] != no_hill; }
 
-  Place root(Place k) {
-    while (parent_[at(k)] != k) k = parent_[at(k)] = parent_[at(parent_[at(k)])];
-    return k;
+  HillNumber root(HillNumber a) {
+    while (up_[at(a)] != a) a = up_[at(a)] = up_[at(up_[at(a)])];
+    return a;
   }
 
   // Those of the eight neighbours that are taken.
@@ -84,7 +81,7 @@ class Flood {
     std::size_t n = 0;
     if (i > 0 && i + 1 < nx_ && j > 0 && j + 1 < ny_) {
       for (const Place step : {-ny_ - 1, -ny_, -ny_ + 1, -1, 1, ny_ - 1, ny_, ny_ + 1})
-        if (parent_[at(k + step)] != not_taken) out[n++] = k + step;
+        if (taken(k + step)) out[n++] = k + step;
       return n;
     }
     for (Place a = i - 1; a <= i + 1; ++a)
@@ -92,38 +89,24 @@ class Flood {
         const bool outside = (!periodic_.x && (a < 0 || a >= nx_)) || (!periodic_.y && (b < 0 || b >= ny_));
         if (outside) continue;
         const Place beside = (a + nx_) % nx_ * ny_ + (b + ny_) % ny_;
-        if (beside != k && parent_[at(beside)] != not_taken) out[n++] = beside;
+        if (beside != k && taken(beside)) out[n++] = beside;
       }
     return n;
   }
 
-  // Connected points under one root.
-  void join(Place a, Place b) {
-    const HillNumber both = highest_[at(b)];
-    if (count_[at(a)] > count_[at(b)]) std::swap(a, b);
-    parent_[at(a)] = b;
-    count_[at(b)] += count_[at(a)];
-    highest_[at(b)] = both;
-  }
-
-  // The point k connects two roots.
-  void meet(Place k, Place a, Place b, std::span<const Place> beside) {
-    const HillNumber of_a = highest_[at(a)], of_b = highest_[at(b)];
-    const double height_a = hills_.all[at(of_a)].height, height_b = hills_.all[at(of_b)].height;
-    if (height_a > height_b || (height_a == height_b && of_a < of_b)) std::swap(a, b);
-    Hill& lower = hills_.all[at(highest_[at(a)])];
-    lower.saddle = z_[k];
+  // A point of this height connects two roots.
+  void meet(double height, HillNumber lower, HillNumber upper, std::span<const Place> beside) {
+    Hill& ended = hills_.all[at(lower)];
+    ended.saddle = height;
     for (double highest = -std::numeric_limits<double>::infinity(); const Place p : beside)
-      if (root(p) == b && z_[p] > highest) highest = z_[p], lower.across = hill(p);
-    if (lower.across == no_hill) lower.across = hill(k);
-    join(a, b);
+      if (z_[p] > highest && root(hill(p)) == upper) highest = z_[p], ended.across = hill(p);
+    up_[at(lower)] = upper;
   }
 
   const double* z_;
   Place nx_, ny_;
   Periodic periodic_;
-  std::vector<Place> parent_, count_;
-  std::vector<HillNumber> highest_;  // of a root: the hill of the highest peak
+  std::vector<HillNumber> up_;  // towards the root
   Hills hills_ = {};
 };
 

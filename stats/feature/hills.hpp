@@ -12,7 +12,7 @@
 ///
 /// Neighbours go across the ends of periodic axes. Missing points belong to no hill.
 ///
-/// Cost      n log n for n points: 0.25 s for 1024², 40 bytes a point.
+/// Cost      n log n for n points: 0.15 to 0.25 s for 1024², 24 bytes a point.
 ///
 /// ISO 16610-85:2013, ISO 25178-2:2021 (watershed segmentation, Wolf pruning).
 #pragma once
