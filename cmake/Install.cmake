@@ -60,4 +60,6 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md $
 
 set(ASPERITY_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the module of Python is installed")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python/asperity DESTINATION ${ASPERITY_PYTHON_DIR} COMPONENT python
-  FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed)
+  FILES_MATCHING PATTERN *.py PATTERN py.typed)
+set(types ${PROJECT_BINARY_DIR}/python/asperity)  # made from the tools by tools/CMakeLists.txt
+install(FILES ${types}/__init__.pyi ${types}/stage.pyi DESTINATION ${ASPERITY_PYTHON_DIR}/asperity COMPONENT python)

@@ -2,15 +2,13 @@
 """What pyright --strict says of a user's file, and of the module's own types: it refuses the lines that are marked so, and no
 other. Skipped without pyright.
 
-    typed.py FOLDER     where the file is written, beside a copy of the module
+    typed.py FOLDER MODULE     where the file is written, beside a copy of the module of the build
 """
 import json
 import pathlib
 import shutil
 import subprocess
 import sys
-
-import support
 
 FILE = '''
 from pathlib import Path
@@ -76,7 +74,7 @@ folder = pathlib.Path(sys.argv[1])
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 (folder / "use.py").write_text(FILE)
-shutil.copytree(support.SOURCE / "tools/python/asperity", folder / "asperity")
+shutil.copytree(pathlib.Path(sys.argv[2], "asperity"), folder / "asperity")
 (folder / "pyrightconfig.json").write_text(json.dumps({
     "typeCheckingMode": "strict", "include": ["use.py", "asperity/*.pyi"], "reportMissingTypeStubs": False,
     "pythonVersion": "3.11"}))
