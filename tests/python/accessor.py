@@ -58,6 +58,11 @@ class Accessor(support.TestCase):
         self.assertRaisesRegex(AttributeError, "no result stress_max_shear: the tool has left none",
                                lambda: pressed.asp.stress.max_shear)
 
+    # contact_yield was contact.yield, which is no Python, and no type checker read the types of the module.
+    def test_a_result_whose_name_is_a_keyword_has_an_underscore(self):
+        surface = asp.generate(**SURFACE).assign_attrs(contact_yield=[2e9, 1e9])
+        numpy.testing.assert_array_equal(surface.asp.contact.yield_.value, [2e9, 1e9])
+
     # Two digits of the error: 1234.56 +- 7.8 is 1234.6 +- 7.8.
     def test_a_result_is_printed_to_the_digits_of_its_error(self):
         nan = math.nan

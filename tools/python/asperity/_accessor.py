@@ -96,7 +96,8 @@ class Tool:
         for name, value in attributes.items():
             row = next((row for row in rows if fnmatch.fnmatchcase(name, row["name"])), None)
             if row and name.removesuffix("_error") not in attributes.keys() - {name}:
-                out[name.removeprefix(self._name + "_")] = _result(row, value, attributes.get(name + "_error", math.nan))
+                own = _options.python_name(name.removeprefix(self._name + "_"))
+                out[own] = _result(row, value, attributes.get(name + "_error", math.nan))
         return out
 
 
