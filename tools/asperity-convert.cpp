@@ -9,7 +9,6 @@
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
 #include "formats/format.hpp"
-#include "formats/vti.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "formats/refuse.hpp"
-#include "formats/text_encoding.hpp"
 #include "formats/text_numbers.hpp"
 
 namespace asperity {

@@ -71,4 +71,11 @@ const Format* known_format(std::string_view bytes, std::string_view file_name);
 /// The same. Throws DataError("map", …) when it is unknown, or the file is empty.
 const Format& format_of(std::string_view bytes, std::string_view file_name);
 
+// ---- datasets for ParaView, formats/vti.cpp ----
+
+/// Throw DataError for a dataset without fields and volumes, with coordinates not in ascending order, or, for
+/// image data, with unevenly spaced depths.
+std::string encode_vti(const Dataset& dataset);
+std::string encode_vtr(const Dataset& dataset);
+
 }  // namespace asperity

@@ -21,7 +21,6 @@
 #include "formats/head.hpp"
 #include "formats/refuse.hpp"
 #include "formats/text_columns.hpp"
-#include "formats/text_encoding.hpp"
 #include "formats/text_table.hpp"
 
 namespace asperity {

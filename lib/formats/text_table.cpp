@@ -6,7 +6,6 @@
 
 #include "formats/raster.hpp"
 #include "formats/refuse.hpp"
-#include "formats/text_encoding.hpp"
 #include "formats/text_head.hpp"
 
 namespace asperity {

@@ -1,5 +1,3 @@
-#include "formats/vti.hpp"
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +11,7 @@
 #include "dataset/axis_order.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
+#include "formats/format.hpp"
 #include "formats/raster.hpp"
 #include "maps.hpp"
 
