@@ -42,7 +42,7 @@ found = run(python, "-c", "import asperity; print(asperity.__file__, asperity.__
 assert found.stdout.startswith(str(FOLDER / "venv")), found.stdout
 wrong = 0
 with concurrent.futures.ThreadPoolExecutor(2) as pool:
-    for notebook, outcome in pool.map(run_notebook, sorted((ROOT / "tools/python/notebooks").glob("*.ipynb"))):
+    for notebook, outcome in pool.map(run_notebook, sorted((ROOT / "examples/notebooks").glob("*.ipynb"))):
         figures = len(list(FOLDER.glob(f"{notebook.stem}-*.png")))
         print(f"{notebook.name}: exit {outcome.returncode}, {figures} figures")
         if outcome.returncode != 0 or figures < 3:

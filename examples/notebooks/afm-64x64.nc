@@ -1,0 +1,1 @@
+../../tests/data/afm-64x64.nc

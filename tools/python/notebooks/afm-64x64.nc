@@ -1,1 +1,0 @@
-../../../tests/data/afm-64x64.nc
