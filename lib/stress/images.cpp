@@ -156,10 +156,8 @@ class ImageInfluence final : public LayerInfluence {
         acting_(acting),
         sum_(in_x_ ? ImageSum(r.transform.torus().nx, lags_.ny, r.cells.dx, r.cells.dy, r.taper[1], poisson)
                    : ImageSum(r.transform.torus().ny, lags_.nx, r.cells.dy, r.cells.dx, r.taper[0], poisson)),
-        along_x_(r.transform.torus().nx),
-        along_y_(r.transform.torus().ny),
-        columns_(r.transform.blocks(), acting, r.transform.slabs().ranks()),
-        work_(size(threads), Work(*this)) {}
+        transforms_(r, acting, threads),
+        columns_(r.transform.blocks(), acting, r.transform.slabs().ranks()) {}
 
   void set_depth(double z, stress::Set asked, Index) override {
     std::array<stress::Set, 3> wanted{};
@@ -173,22 +171,18 @@ class ImageInfluence final : public LayerInfluence {
     c_ = c;
     columns_.settle(lags_.nx, room);
     const Extent own = columns_.own_lags();
-    const int threads = static_cast<int>(work_.size());
     for (Traction t : stress::tractions)
       if (acting_[t])
-        parallel_ranges((own.count + block_columns - 1) / block_columns, threads,
+        parallel_ranges((own.count + block_columns - 1) / block_columns, transforms_.threads(),
                         [&](Index begin, Index end, int worker) {
                           for (Index k = begin; k < end; ++k)
-                            transform_along_y(t, own.first + k * block_columns, work_[size(worker)]);
+                            put_rows(t, own.first + k * block_columns, worker);
                         });
-    columns_.complete(threads);
+    columns_.complete(transforms_.threads());
   }
 
   TransferFunction transfer_function(Traction t, Index b, int worker) override {
-    Work& work = work_[size(worker)];
-    transform(along_x_, parity(odd_in_x(c_, t)), columns_.block(t, b), lags_.nx, work,
-              work.transfer[t].data());
-    return {work.transfer[t], along_x_.stride()};
+    return transforms_.of_columns(c_, t, columns_.block(t, b), worker);
   }
 
   std::span<const double> by_lags(Traction t, Index b, int) override {
@@ -196,47 +190,15 @@ class ImageInfluence final : public LayerInfluence {
   }
 
  private:
-  struct Work {
-    explicit Work(const ImageInfluence& of)
-        : rows(size(of.lags_.ny * block_columns)),
-          columns(size(std::max(of.along_x_.size(), of.along_y_.size()))),
-          spectrum(size(of.along_y_.size() + block_columns)) {  // the last block of few columns is read whole
-      for (Traction t : stress::tractions)
-        if (of.acting_[t]) transfer[t].resize(size(of.along_x_.size()));
-    }
-
-    AlignedVector<double> rows;
-    AlignedVector<Complex> columns, spectrum;
-    std::array<AlignedVector<Complex>, 3> transfer;  ///< of the block last requested, by traction
-  };
-
-  // Eight rows.
-  void transform_along_y(Traction t, Index first, Work& work) const {
+  // Eight of them.
+  void put_rows(Traction t, Index first, int worker) {
     const Field& kernel = in_x_ ? sum_.kernel(t, c_) : sum_.kernel(exchanged(t), stress::exchanged(c_));
     const Index count = std::min(block_columns, lags_.nx - first);
+    double* rows = transforms_.room(worker);
     for (Index j = 0; j < lags_.ny; ++j)
       for (Index l = 0; l < block_columns; ++l)
-        work.rows[size(j * block_columns + l)] = l >= count ? 0
-                                                 : in_x_    ? kernel(first + l, j)
-                                                            : kernel(j, first + l);
-    transform(along_y_, parity(odd_in_y(c_, t)), work.rows.data(), lags_.ny, work, work.spectrum.data());
-    for (Index b = 0; b < columns_.blocks(); ++b)
-      for (Index l = 0; l < count; ++l) {
-        const Complex* row = work.spectrum.data() + l / 2 * along_y_.stride() + b * block_columns;
-        double* column = columns_.place(t, b, first + l);
-        const Index modes = std::min(
-            block_columns, along_y_.period() / 2 + 1 - b * block_columns);  // what follows is scratch
-        for (Index q = 0; q < block_columns; ++q)
-          column[q] = q >= modes ? 0 : l % 2 == 0 ? row[q].real() : row[q].imag();
-      }
-  }
-
-  // Eight interleaved sequences, transformed, by pairs.
-  static void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
-                        Work& work, Complex* pairs) {
-    columns_from_rows<MirroredTransform::pairs>(reinterpret_cast<const Complex*>(interleaved), given,
-                                                work.columns.data(), along.stride());
-    along.apply(parity, work.columns.data(), given, pairs);
+        rows[j * block_columns + l] = l >= count ? 0 : in_x_ ? kernel(first + l, j) : kernel(j, first + l);
+    transforms_.put_rows(c_, t, rows, 1, transforms_.period().ny / 2 + 1, first, count, columns_, worker);
   }
 
   bool in_x_;
@@ -244,9 +206,8 @@ class ImageInfluence final : public LayerInfluence {
   stress::Tractions acting_;
   Component c_ = stress::xx;
   ImageSum sum_;
-  MirroredTransform along_x_, along_y_;
-  KernelColumns columns_;  ///< transformed along y
-  std::vector<Work> work_;
+  KernelTransforms transforms_;
+  KernelColumns columns_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "stress/layer_influence.hpp"
 #include "transform/block_exchange.hpp"
@@ -83,6 +84,74 @@ class KernelColumns {
   Slabs lags_{0};
   std::array<KernelRoom, 3> place_{};
   std::array<AlignedVector<double>, 3> written_, own_;
+};
+
+/// Transforms kernels, which are even or odd in x and in y: eight rows of lags along y, as they come, and
+/// eight columns along x, when their block is requested. Several threads may do so, each as one worker.
+class KernelTransforms {
+ public:
+  KernelTransforms(const Resolution& r, stress::Tractions acting, int threads)
+      : lags_(r.cells.shape),
+        along_x_(r.transform.torus().nx),
+        along_y_(r.transform.torus().ny),
+        work_(size(threads)) {
+    for (Work& work : work_) {
+      work.lags.resize(size(std::max(lags_.nx, lags_.ny) * width));
+      work.columns.resize(size(std::max(along_x_.size(), along_y_.size())));
+      work.spectrum.resize(size(along_y_.size() + width));  // the last block of few columns is read whole
+      for (stress::Traction t : stress::tractions)
+        if (acting[t]) work.transfer[t].resize(size(along_x_.size()));
+    }
+  }
+
+  int threads() const { return static_cast<int>(work_.size()); }
+  Shape period() const { return {along_x_.period(), along_y_.period()}; }
+  /// Of a worker, room for eight rows or columns, [lag][8].
+  double* room(int worker) { return work_[size(worker)].lags.data(); }
+
+  /// `rows` [lag in y][8] of the `count` lags in x from `first` on, transformed and times a factor, to `to`;
+  /// what is scratch, from column `modes` on, as 0.
+  void put_rows(stress::Component c, stress::Traction t, const double* rows, double factor, Index modes,
+                Index first, Index count, const KernelColumns& to, int worker) {
+    Work& work = work_[size(worker)];
+    transform(along_y_, parity(odd_in_y(c, t)), rows, lags_.ny, work, work.spectrum.data());
+    for (Index b = 0; b < to.blocks(); ++b)
+      for (Index l = 0; l < count; ++l) {
+        const auto* row =
+            reinterpret_cast<const double*>(work.spectrum.data() + l / 2 * along_y_.stride() + b * width);
+        double* column = to.place(t, b, first + l);
+        for (Index q = 0; q < width; ++q) column[q] = b * width + q < modes ? factor * row[2 * q + l % 2] : 0;
+      }
+  }
+  /// The transfer function of a block of columns [lag in x][8].
+  LayerInfluence::TransferFunction of_columns(stress::Component c, stress::Traction t, const double* block,
+                                              int worker) {
+    Work& work = work_[size(worker)];
+    transform(along_x_, parity(odd_in_x(c, t)), block, lags_.nx, work, work.transfer[t].data());
+    return {work.transfer[t], along_x_.stride()};
+  }
+
+ private:
+  static constexpr Index width = LayerInfluence::width;
+  static_assert(width == MirroredTransform::width);
+
+  struct Work {
+    AlignedVector<double> lags;
+    AlignedVector<Complex> columns, spectrum;
+    std::array<AlignedVector<Complex>, 3> transfer;  ///< of the block last requested, by traction
+  };
+
+  // Eight interleaved sequences, by pairs.
+  static void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
+                        Work& work, Complex* pairs) {
+    columns_from_rows<MirroredTransform::pairs>(reinterpret_cast<const Complex*>(interleaved), given,
+                                                work.columns.data(), along.stride());
+    along.apply(parity, work.columns.data(), given, pairs);
+  }
+
+  Shape lags_;
+  MirroredTransform along_x_, along_y_;
+  std::vector<Work> work_;
 };
 
 }  // namespace asperity

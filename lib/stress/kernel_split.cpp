@@ -128,16 +128,10 @@ FarStress::FarStress(const LoadedBody& body, int threads) {
   const WiderCells wider = wider_cells(body, wide, wide);
   const StressSolver solver(wider.body, threads);
   const Index nx = wider.body.grid.shape.nx, ny = wider.body.grid.shape.ny;
-  const Periodic repeats = body.grid.periodic;
   // The mean pressures, with those within reach around the domain.
-  Field p = Field::Zero(nx + 2 * far_reach, ny + 2 * far_reach);
-  for (Index i = 0; i < p.rows(); ++i)
-    for (Index j = 0; j < p.cols(); ++j) {
-      Index m = i - far_reach, n = j - far_reach;
-      if (repeats.x) m = wrapped(m, nx);
-      if (repeats.y) n = wrapped(n, ny);
-      if (m >= 0 && n >= 0 && m < nx && n < ny) p(i, j) = wider.body.pressure(m, n);
-    }
+  const Field p = Field::NullaryExpr(nx + 2 * far_reach, ny + 2 * far_reach, [&](Index i, Index j) {
+    return wider.body.at(i - far_reach, j - far_reach);
+  });
   StressSolver::Workspace work;
   for (std::size_t l = 0; l < layers_.size(); ++l) {
     auto& layer = layers_[l];

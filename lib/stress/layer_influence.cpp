@@ -39,9 +39,8 @@ class HalfSpaceInfluence : public LayerInfluence {
         taper_(r.taper),
         poisson_(poisson),
         acting_(acting),
-        along_x_(r.transform.torus().nx),
-        along_y_(r.transform.torus().ny),
-        work_(size(threads), Work(*this)) {
+        transforms_(r, acting, threads),
+        tiles_(size(threads)) {
     columns_.fill({r.transform.blocks(), acting, r.transform.slabs().ranks()});
   }
 
@@ -58,12 +57,10 @@ class HalfSpaceInfluence : public LayerInfluence {
   }
 
   TransferFunction transfer_function(Traction t, Index b, int worker) override {
-    Work& work = work_[size(worker)];
-    const Parity along = parity(odd_in_x(c_, t));
-    std::copy_n(columns(c_).block(t, b), work.rows.size(), work.rows.begin());
-    difference(along, work.rows.data(), taper_[0], along_x_.period());
-    transform(along_x_, along, work.rows.data(), grid_.shape.nx, work, work.transfer[t].data());
-    return {work.transfer[t], along_x_.stride()};
+    double* block = transforms_.room(worker);
+    std::copy_n(columns(c_).block(t, b), grid_.shape.nx * block_columns, block);
+    difference(parity(odd_in_x(c_, t)), block, taper_[0], transforms_.period().nx);
+    return transforms_.of_columns(c_, t, block, worker);
   }
 
   std::span<const double> by_lags(Traction t, Index b, int) override {
@@ -73,24 +70,6 @@ class HalfSpaceInfluence : public LayerInfluence {
  private:
   KernelColumns& columns(Component c) { return columns_[ready_.any() ? c : stress::xx]; }
 
-  struct Work {
-    explicit Work(const HalfSpaceInfluence& of)
-        : rows(size(of.grid_.shape.nx * block_columns)),
-          columns(size(std::max(of.along_x_.size(), of.along_y_.size()))),
-          along_y_pairs(
-              size(of.along_y_.size() + block_columns)) {  // the last block of few columns is read whole
-      for (Traction t : stress::tractions)
-        if (of.acting_[t]) {
-          transfer[t].resize(size(of.along_x_.size()));
-        }
-    }
-
-    std::array<std::array<AlignedVector<double>, 6>, 3> tile;  ///< eight rows: [j][8]
-    AlignedVector<double> rows;
-    AlignedVector<Complex> columns, along_y_pairs;
-    std::array<AlignedVector<Complex>, 3> transfer;  ///< of the block last requested, by traction
-  };
-
   // Kernels that are evaluated together share their roots and arcs.
   void compute(stress::Set asked, KernelRoom room) {
     Extent own;
@@ -99,52 +78,35 @@ class HalfSpaceInfluence : public LayerInfluence {
       columns(c).settle(lags_, room);
       own = columns(c).own_lags();
     }
-    const int threads = static_cast<int>(work_.size());
+    const int threads = transforms_.threads();
     parallel_ranges((own.count + block_columns - 1) / block_columns, threads,
                     [&](Index begin, Index end, int worker) {
                       for (Index k = begin; k < end; ++k)
-                        transform_rows(asked, own.first + k * block_columns, work_[size(worker)]);
+                        put_rows(asked, own.first + k * block_columns, worker);
                     });
     for (Component c : stress::components)
       if (asked[c]) columns(c).complete(threads);
   }
 
-  void transform_rows(stress::Set asked, Index first_row, Work& work) {
+  void put_rows(stress::Set asked, Index first, int worker) {
     double* out[3][6] = {};
     for (Traction t : stress::tractions)
       for (Component c : stress::components) {
         if (!acting_[t] || !asked[c]) continue;
-        work.tile[t][c].resize(size(block_columns * grid_.shape.ny));
-        out[t][c] = work.tile[t][c].data();
+        AlignedVector<double>& tile = tiles_[size(worker)][t][c];
+        tile.resize(size(block_columns * grid_.shape.ny));
+        out[t][c] = tile.data();
       }
-    corner_tile(static_cast<double>(first_row) + 0.5, grid_.dy / grid_.dx, grid_.shape.ny, z_ / grid_.dx,
+    corner_tile(static_cast<double>(first) + 0.5, grid_.dy / grid_.dx, grid_.shape.ny, z_ / grid_.dx,
                 poisson_, out);
     for (Traction t : stress::tractions)
-      for (Component c : stress::components)
-        if (out[t][c] != nullptr) transform_along_y(t, c, first_row, work);
-  }
-
-  void transform_along_y(Traction t, Component c, Index first_row, Work& work) {
-    double* tile = work.tile[t][c].data();
-    const Parity along = parity(odd_in_y(c, t));
-    difference(along, tile, taper_[1], along_y_.period());
-    transform(along_y_, along, tile, grid_.shape.ny, work, work.along_y_pairs.data());
-    const Index rows = std::min(block_columns, lags_ - first_row);
-    for (Index b = 0; b < columns(c).blocks(); ++b)
-      for (Index l = 0; l < rows; ++l) {
-        const auto* row = reinterpret_cast<const double*>(work.along_y_pairs.data() +
-                                                          l / 2 * along_y_.stride() + b * block_columns);
-        double* column = columns(c).place(t, b, first_row + l);
-        for (Index q = 0; q < block_columns; ++q) column[q] = scale * row[2 * q + l % 2];
+      for (Component c : stress::components) {
+        if (out[t][c] == nullptr) continue;
+        difference(parity(odd_in_y(c, t)), out[t][c], taper_[1], transforms_.period().ny);
+        const Index count = std::min(block_columns, lags_ - first),
+                    whole = columns(c).blocks() * block_columns;
+        transforms_.put_rows(c, t, out[t][c], scale, whole, first, count, columns(c), worker);
       }
-  }
-
-  // Eight interleaved sequences, transformed, by pairs.
-  static void transform(const MirroredTransform& along, Parity parity, const double* interleaved, Index given,
-                        Work& work, Complex* pairs) {
-    columns_from_rows<MirroredTransform::pairs>(reinterpret_cast<const Complex*>(interleaved), given,
-                                                work.columns.data(), along.stride());
-    along.apply(parity, work.columns.data(), given, pairs);
   }
 
   Grid grid_;
@@ -153,10 +115,10 @@ class HalfSpaceInfluence : public LayerInfluence {
   stress::Tractions acting_;
   Component c_ = stress::xx;
   Index lags_ = 0;
-  MirroredTransform along_x_, along_y_;
+  KernelTransforms transforms_;
   std::array<KernelColumns, 6> columns_;  ///< transformed along y only; unless ready, in the first
   stress::Set ready_;                     ///< of a small layer: computed together
-  std::vector<Work> work_;
+  std::vector<std::array<std::array<AlignedVector<double>, 6>, 3>> tiles_;  ///< of each worker: rows [j][8]
 };
 
 class PeriodicInfluence : public LayerInfluence {

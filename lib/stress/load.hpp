@@ -11,6 +11,7 @@
 #include <array>
 #include <limits>
 
+#include "core/extent.hpp"
 #include "core/field.hpp"
 #include "core/ranks.hpp"
 #include "stress/component.hpp"
@@ -40,6 +41,13 @@ struct LoadedBody {
   const Ranks* ranks = &alone();  ///< that hold it together; what follows is then collective
 
   Slabs rows() const { return Slabs(grid.shape.nx, *ranks); }
+  /// Of one rank: the pressure of a cell, also beyond the edges, where it is 0 or repeats.
+  double at(Index i, Index j) const {
+    const auto [nx, ny] = grid.shape;
+    if (grid.periodic.x) i = wrapped(i, nx);
+    if (grid.periodic.y) j = wrapped(j, ny);
+    return i >= 0 && j >= 0 && i < nx && j < ny ? pressure(i, j) : 0;
+  }
   /// The largest and the least pressure.
   double largest() const;
   double least() const;

@@ -107,18 +107,9 @@ class PeakFinder::Model {
 
   static LoadedBody window_of(const LoadedBody& body, const Along& x, const Along& y) {
     const Grid& g = body.grid;
-    const auto [nx, ny] = g.shape;
     Field p = Field::Zero(window_side, window_side);
-    for (Index i = 0; i < window_side * x.s; ++i) {
-      Index m = x.first + i;
-      if (g.periodic.x) m = wrapped(m, nx);
-      if (m < 0 || m >= nx) continue;
-      for (Index j = 0; j < window_side * y.s; ++j) {
-        Index n = y.first + j;
-        if (g.periodic.y) n = wrapped(n, ny);
-        if (n >= 0 && n < ny) p(i / x.s, j / y.s) += body.pressure(m, n);
-      }
-    }
+    for (Index i = 0; i < window_side * x.s; ++i)
+      for (Index j = 0; j < window_side * y.s; ++j) p(i / x.s, j / y.s) += body.at(x.first + i, y.first + j);
     p /= static_cast<double>(x.s * y.s);
     return {{{window_side, window_side}, static_cast<double>(x.s) * g.dx, static_cast<double>(y.s) * g.dy},
             p,

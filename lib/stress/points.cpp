@@ -127,13 +127,6 @@ std::array<StressPoints::Axis, 2> StressPoints::axes(double x, double y) const {
   return {Axis{x, grid.dx, grid.shape.nx}, Axis{y, grid.dy, grid.shape.ny}};
 }
 
-double StressPoints::pressure_at(Index i, Index j) const {
-  const auto [nx, ny] = body_.grid.shape;
-  if (body_.grid.periodic.x) i = (i + nx) % nx;
-  if (body_.grid.periodic.y) j = (j + ny) % ny;
-  return i >= 0 && j >= 0 && i < nx && j < ny ? body_.pressure(i, j) : 0;
-}
-
 // The mean along the periodic axis of the cells with the k-th place across; 0 beyond the domain.
 double StressPoints::mean_at(Index k) const {
   const bool in_x = body_.grid.periodic.x;
@@ -148,9 +141,8 @@ bool StressPoints::singular(double x, double y, double z) const {
   if (grid.periodic.both() || !surface || !along_x.within() || !along_y.within()) return false;
   const bool on_x = along_x.on_side, on_y = along_y.on_side;
   const Index i = along_x.cell(), j = along_y.cell();
-  const double step = step_that_shows * body_.pressure.maxCoeff(), here = pressure_at(i, j),
-               left = pressure_at(i - 1, j), under = pressure_at(i, j - 1),
-               across = pressure_at(i - 1, j - 1);
+  const double step = step_that_shows * body_.pressure.maxCoeff(), here = body_.at(i, j),
+               left = body_.at(i - 1, j), under = body_.at(i, j - 1), across = body_.at(i - 1, j - 1);
   auto steps = [&](double difference) { return std::abs(difference) > step; };
   if (on_x && on_y && body_.poisson < 0.5 && steps(here - left - under + across)) return true;
   if (body_.friction.coefficient == 0) return false;
@@ -247,7 +239,7 @@ CellSum::CellSum(LoadedBody body, int threads)
   if (grid_.periodic.any()) return;
   const Index nx = grid_.shape.nx, ny = grid_.shape.ny;
   const Field& load = points_.body().pressure;
-  auto p = [&](Index i, Index j) { return i >= 0 && j >= 0 && i < nx && j < ny ? load(i, j) : 0.0; };
+  auto p = [&](Index i, Index j) { return points_.body().at(i, j); };
   for (Index i = 0; i <= nx; i += corner_lanes)
     for (Index j = 0; j <= ny; j += most_rows) {
       const Index rows = std::min(most_rows, ny + 1 - j), i0 = std::max(i - 1, Index{0}),

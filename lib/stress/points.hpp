@@ -58,8 +58,7 @@ class StressPoints {
   stress::Tensor of_cell(double x, double y, double z, double a, double b) const;
   stress::Tensor of_images(const Axis& along, Index cell, double across, double z) const;
   stress::Tensor below_waves(double x, double y, double z) const;
-  double pressure_at(Index i, Index j) const;  ///< 0 outside the grid
-  double mean_at(Index k) const;               ///< likewise, across
+  double mean_at(Index k) const;  ///< likewise, across
 
   LoadedBody body_;
   LoadWeights weights_;

@@ -113,39 +113,26 @@ struct SectionPlan : LayerPlan {
           for (Index k = 0; k < px; ++k)
             modes[size(q * stride + k)] = resolution.pressure(b)[q * stride + k] * phases[size(k)];
         if (resolution.cells.periodic.both()) {
-          fold_modes(modes, b);
+          fold_ends(modes, true, b);
         } else {
           columns.forward(modes.data(), lags.data());
-          resolution.cells.periodic.any() ? fold_images(lags, b) : fold_lags(lags, b);
+          resolution.cells.periodic.any() ? fold_ends(lags, false, b) : fold_lags(lags, b);
         }
       }
     });
   }
 
-  void fold_modes(std::span<const Complex> block, Index b) {
+  // D± of the modes; or P± of the lags, for kernels that are differences already (stress/images.hpp).
+  void fold_ends(std::span<const Complex> block, bool modes, Index b) {
     const Index n = resolution.transform.torus().nx;
     for (Index q = 0; q < block_columns; ++q) {
-      const auto modes = block.subspan(size(q * resolution.transform.stride()));
-      for (Index k = 0; k < lag_count; ++k) {
-        const bool alone = k == 0 || 2 * k == n;
-        const Complex ahead = modes[size(k)], back = alone ? Complex{} : modes[size(n - k)],
-                      difference = ahead - back;
-        set(false, b, k, q, ahead + back);
-        set(true, b, k, q, alone ? Complex{} : Complex{difference.imag(), -difference.real()});
-      }
-    }
-  }
-
-  // P± as it is, for kernels that are differences already (stress/images.hpp).
-  void fold_images(std::span<const Complex> block, Index b) {
-    const Index n = resolution.transform.torus().nx;
-    for (Index q = 0; q < block_columns; ++q) {
-      const auto lags = block.subspan(size(q * resolution.transform.stride()));
+      const auto values = block.subspan(size(q * resolution.transform.stride()));
       for (Index m = 0; m < lag_count; ++m) {
         const bool alone = m == 0 || 2 * m == n;
-        const Complex ahead = lags[size(m)], back = alone ? Complex{} : lags[size(n - m)];
+        const Complex ahead = values[size(m)], back = alone ? Complex{} : values[size(n - m)],
+                      difference = alone ? Complex{} : ahead - back;
         set(false, b, m, q, ahead + back);
-        set(true, b, m, q, alone ? Complex{} : ahead - back);
+        set(true, b, m, q, alone || !modes ? difference : Complex{difference.imag(), -difference.real()});
       }
     }
   }

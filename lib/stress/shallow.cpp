@@ -101,7 +101,6 @@ Depth Tiles::depth(double z) {
 
 std::vector<Tiles::Tile> Tiles::tiles() const {
   const Index nx = body_.grid.shape.nx, ny = body_.grid.shape.ny;
-  const Periodic repeats = body_.grid.periodic;
   const auto rows = (nx + tile_side - 1) / tile_side, columns = (ny + tile_side - 1) / tile_side;
   std::vector<Tile> out(size(rows * columns));
   parallel_ranges(rows, threads_, [&](Index begin, Index end, int) {
@@ -116,8 +115,7 @@ std::vector<Tiles::Tile> Tiles::tiles() const {
         } else
           for (Index i = t.i - reach; i < t.i + tile_side + reach; ++i)
             for (Index j = t.j - reach; j < t.j + tile_side + reach; ++j) {
-              const bool outside = (!repeats.x && (i < 0 || i >= nx)) || (!repeats.y && (j < 0 || j >= ny));
-              const double p = outside ? 0 : body_.pressure(wrapped(i, nx), wrapped(j, ny));
+              const double p = body_.at(i, j);
               t.low = std::min(t.low, p), t.high = std::max(t.high, p);
             }
         for (const Depth& d : depths_) t.top = std::max(t.top, bound(t, d) / start(d, 1));
@@ -200,14 +198,9 @@ void Tiles::layer_of(const Tile& t, const Depth& d, Work& work, Field& values) c
 
 // The pressures about a tile, transformed.
 void Tiles::load(const Tile& t, Work& work) const {
-  const auto [nx, ny] = body_.grid.shape;
-  const Periodic repeats = body_.grid.periodic;
   for (Index i = 0; i < torus; ++i)
-    for (Index j = 0; j < torus; ++j) {
-      const Index m = t.i + i - reach - 1, n = t.j + j - reach - 1;
-      const bool outside = (!repeats.x && (m < 0 || m >= nx)) || (!repeats.y && (n < 0 || n >= ny));
-      work.cells[size(i * torus + j)] = outside ? 0 : body_.pressure(wrapped(m, nx), wrapped(n, ny));
-    }
+    for (Index j = 0; j < torus; ++j)
+      work.cells[size(i * torus + j)] = body_.at(t.i + i - reach - 1, t.j + j - reach - 1);
   work.load.resize(size(transform_.spectrum_size()));
   work.product.resize(work.load.size());
   transform_.forward(work.cells.data(), work.load.data());
