@@ -124,7 +124,7 @@ Parameters measured(const Field& heights, int degree, bool spectra) {
 }
 
 bool depends_on_size(const std::string& name) {
-  if (name.starts_with("S")) return name == "Sp" || name == "Sv" || name == "Sz";
+  if (name.starts_with("S")) return name == "Sp" || name == "Sv" || name == "Sz" || name.ends_with("kx");
   return name.starts_with("N") || name.starts_with("P");
 }
 

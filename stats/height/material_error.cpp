@@ -15,6 +15,7 @@ std::vector<double> class_edges(const MaterialRatioCurve& curve, const CoreParam
                                 const std::array<double, 2>& ratios, double points) {
   constexpr int equal = 512;
   std::vector<double> out{core.upper, core.lower, curve.height(ratios[0]), curve.height(ratios[1])};
+  for (const double p : sxp_ratios) out.push_back(curve.height(p));
   for (int k = 1; k < equal; ++k) out.push_back(curve.height(static_cast<double>(k) / equal));
   for (double share = 0.5 / equal; share * points > 1; share /= 2)
     for (const double p : {share, 1 - share}) out.push_back(curve.height(p));
@@ -95,6 +96,10 @@ class HeightInfluence {
 
 using Values = HeightInfluence::Values;
 
+WaveError of_fall(const HeightInfluence& of, const std::array<double, 2>& ratios) {
+  return of.error(of.of_height(ratios[0]) - of.of_height(ratios[1]));
+}
+
 // Whether starts whose fall is within three errors of the least are apart: those between fall by five errors
 // more, which is no noise of a few heights.
 bool has_rivals(const HeightInfluence& of, const MaterialRatioCurve& curve, double begin) {
@@ -102,7 +107,7 @@ bool has_rivals(const HeightInfluence& of, const MaterialRatioCurve& curve, doub
   constexpr double room = 1 - core_width, near_least = 3, beyond = 5;
   auto end_of = [](double p) { return std::min(p + core_width, 1.0); };
   auto fall = [&](double p) { return curve.height(p) - curve.height(end_of(p)); };
-  const double error = of.error(of.of_height(begin) - of.of_height(end_of(begin))).error;
+  const double error = of_fall(of, {begin, end_of(begin)}).error;
   int stretches = 0;
   bool within = false;
   for (int k = 0; k <= starts; ++k) {
@@ -122,21 +127,19 @@ void add_core(MaterialErrors& out, const HeightInfluence& of, const CoreParamete
     return (std::abs(p - middle) <= core_width / 2 ? 1 / core_width : 0) - middle * tilt(p);
   };
   const Values of_slope = of.of_line(tilt), of_upper = of.of_line(level), of_lower = of_upper + of_slope;
-  out.sk = of.error(of_slope);
+  out.sk = of.error(of_slope), out.upper = of.error(of_upper), out.lower = of.error(of_lower);
   if (r1 > 0) {
     const Values of_ratio = of.centred(of.higher(core.upper)) - of.density(r1) * of_upper,
-                 peaks = of.above(core.upper);
-    const double area = of.mean(peaks);
-    out.smr1 = of.error(of_ratio);
-    out.spk = of.error(2 * (of.centred(peaks) - r1 * of_upper) / r1 - 2 * area * of_ratio / (r1 * r1));
+                 peaks = of.above(core.upper), of_area = of.centred(peaks) - r1 * of_upper;
+    out.smr1 = of.error(of_ratio), out.sak1 = of.error(of_area);
+    out.spk = of.error(2 * of_area / r1 - 2 * of.mean(peaks) * of_ratio / (r1 * r1));
   }
   if (r2 < 1) {
     const Values of_ratio = of.centred(of.higher(core.lower)) - of.density(r2) * of_lower,
-                 dales = of.beneath(core.lower);
-    const double area = of.mean(dales), base = 1 - r2;
-    out.smr2 = of.error(of_ratio);
-    out.svk =
-        of.error(2 * (of.centred(dales) + base * of_lower) / base + 2 * area * of_ratio / (base * base));
+                 dales = of.beneath(core.lower), of_area = of.centred(dales) + (1 - r2) * of_lower;
+    const double base = 1 - r2;
+    out.smr2 = of.error(of_ratio), out.sak2 = of.error(of_area);
+    out.svk = of.error(2 * of_area / base + 2 * of.mean(dales) * of_ratio / (base * base));
   }
 }
 
@@ -166,6 +169,7 @@ MaterialErrors material_errors(const Field& z, const Grid& grid, const FieldExte
   MaterialErrors out{.core_may_be_elsewhere = has_rivals(of, curve, core.begin)};
   add_core(out, of, core);
   add_volumes(out, of, curve, ratios);
+  out.sdc = of_fall(of, ratios), out.sxp = of_fall(of, sxp_ratios);
   return out;
 }
 

@@ -14,13 +14,13 @@
 ///     I_u the same with j_u = 2.5 - (p₀ + 0.2) j_b,     I_v = I_u + I_b,     I of Sk = -I_b.
 /// From these, with A = E(z-u)₊, B = E(v-z)₊, (x)₊ = max(x, 0),
 ///     I_1 = 1(z > u) - r₁ - f(u) I_u,     I_2 = 1(z ≥ v) - r₂ - f(v) I_v            of Smr1, Smr2,       (4)
-///     2 [(z-u)₊ - A - r₁ I_u]/r₁ - 2A I_1/r₁²                                       of Spk,
-///     2 [(v-z)₊ - B + (1-r₂) I_v]/(1-r₂) + 2B I_2/(1-r₂)²                           of Svk,
+///     I_A = (z-u)₊ - A - r₁ I_u of A = Sak1,     I_B = (v-z)₊ - B + (1-r₂) I_v      of B = Sak2,
+///     2 I_A/r₁ - 2A I_1/r₁² of Spk,     2 I_B/(1-r₂) + 2B I_2/(1-r₂)²               of Svk,
 ///     (z-q)₊ - Vm(p) - p I_q,     (q-z)₊ - Vv(p) + (1-p) I_q     of Vm(p), Vv(p), q = c(p),             (5)
-/// of which the volumes are differences.
+/// of which the volumes are differences, as Sdc and Sxp are of heights q.
 ///
 /// The field's points are in some 500 classes of height of the same share, halved towards either end, with
-/// edges at u, v and the heights (5); a class has the I of the mean of its heights.
+/// edges at u, v and the heights q; a class has the I of the mean of its heights.
 ///
 /// Symbols   z  height [m]      p, r  shares      Vm, Vv  volumes per area [m³/m²]
 /// Scope     p₀ held: where the core begins is decided by the least fall, which hardly depends on p₀ there.
@@ -44,7 +44,9 @@ namespace asperity {
 
 struct MaterialErrors {
   bool core_may_be_elsewhere = false;  ///< then those of the core are too small
-  WaveError sk = {}, spk = {}, svk = {}, smr1 = {}, smr2 = {};
+  WaveError sk = {}, spk = {}, svk = {}, smr1 = {}, smr2 = {}, sak1 = {}, sak2 = {};
+  WaveError upper = {}, lower = {};  ///< of u, v
+  WaveError sdc = {}, sxp = {};
   WaveError vmp = {}, vmc = {}, vvc = {}, vvv = {};
 };
 

@@ -38,6 +38,13 @@ void check_share(double ratio) {
     throw ParameterError("material-ratio", "'" + shortest(ratio) + "' is not a number from 0 to 1");
 }
 
+void check_shares(const std::array<double, 2>& ratios) {
+  for (const double ratio : ratios) check_share(ratio);
+  if (ratios[0] > ratios[1])
+    throw ParameterError("material-ratio",
+                         "'" + shortest(ratios[0]) + "' is above the second, " + shortest(ratios[1]));
+}
+
 // A straight piece of the curve: rank and height at either end.
 struct Piece {
   double from, to, above, below;
@@ -152,13 +159,19 @@ CoreParameters MaterialRatioCurve::core() const {
                      .begin = start / last()};
   if (out.smr1 > 0) out.spk = length(2 / out.smr1 * area(0, out.smr1, upper));
   if (out.smr2 < 1) out.svk = length(-2 / (1 - out.smr2) * area(out.smr2, 1, lower));
+  out.spkx = length(descending_.front() - upper), out.svkx = length(lower - descending_.back());
+  out.sak1 = out.smr1 * out.spk / 2, out.sak2 = (1 - out.smr2) * out.svk / 2;
   return out;
 }
 
+double MaterialRatioCurve::fall(const std::array<double, 2>& ratios) const {
+  check_shares(ratios);
+  return height(ratios[0]) - height(ratios[1]);
+}
+
 VolumeParameters MaterialRatioCurve::volumes(double p, double q) const {
+  check_shares({p, q});
   const double upper = height(p), lower = height(q);
-  if (p > q)
-    throw ParameterError("material-ratio", "'" + shortest(p) + "' is above the second, " + shortest(q));
   const double peak = area(0, p, upper), dale = 0 - area(q, 1, lower);
   auto volume = [tiny = round_off()](double value) { return value > tiny ? value : 0; };
   return {.vmp = volume(peak),

@@ -11,7 +11,11 @@
 /// that of the highest heights, as the standard has it: z and -z then have different Sk.
 /// Triangles of the same area on the same base replace the hills above u and the dales below v,
 ///     Spk = 2/Smr1 ∫₀^{Smr1} (c - u) dp,   Svk = 2/(1-Smr2) ∫_{Smr2}¹ (v - c) dp,                       (3)
-/// zero if the base is. Volumes per area, of material above a height and of void below it,
+/// zero if the base is. The areas of these triangles, and what reaches beyond the core, 0 where nothing does,
+///     Sak1 = Smr1 Spk/2,   Sak2 = (1-Smr2) Svk/2,   Spkx = Sp - u,   Svkx = Sv + v.                    (3a)
+/// Differences of heights, of which the second has fixed shares,
+///     Sdc = Smc(p) - Smc(q),   Sxp = Smc(2.5 %) - Smc(50 %).                                           (3b)
+/// Volumes per area, of material above a height and of void below it,
 ///     Vm(p) = ∫₀ᵖ [c(t) - c(p)] dt,   Vv(p) = ∫ₚ¹ [c(p) - c(t)] dt,                                     (4)
 ///     Vmp = Vm(p),  Vmc = Vm(q) - Vm(p),  Vvc = Vv(p) - Vv(q),  Vvv = Vv(q),  p = 10 %, q = 80 %.
 ///
@@ -27,18 +31,21 @@
 /// mean and Sq has the variance (5) without the term k = 2. Errors of neighbouring quantiles are correlated.
 ///
 /// Symbols   z  heights [m]      p, q, Smr  shares of the area      c, Sk, Spk, Svk  [m]
-///           Vm, Vv  volumes per area [m³/m²]      φ, Φ  the Gaussian's density and distribution
+///           Vm, Vv, Sak1, Sak2  volumes per area [m³/m²]      φ, Φ  the Gaussian's density and distribution
 /// Accuracy  Exact for the piecewise straight curve (1) to round-off; for the smooth curve of a population
 ///           the bias is O(1/N). (5) to first order in 1/N. Falls and levels count as equal within
 ///           256 ε max |z|; lengths below that are 0.
 /// Cost      a sort, N log N, in threads; then four passes for (2), one for (3) and (4).
 ///
-/// ISO 25178-2:2021; ISO 13565-2:1996 for (2), (3). E. J. Abbott, F. A. Firestone,
-/// Mechanical Engineering 55 (1933) 569-572. R. R. Bahadur, A note on quantiles in large samples,
-/// Ann. Math. Statist. 37 (1966) 577-580. M. B. Wilk, R. Gnanadesikan, Probability plotting methods for the
-/// analysis of data, Biometrika 55 (1968) 1-17; A. Hazen, Trans. Am. Soc. Civ. Eng. 77 (1914) 1539-1640.
+/// ISO 25178-2:2021, its text unseen for (3a), (3b): they are as other programs have them, one of which
+/// gives Sak1 and Sak2 in µm %, a hundred times the number. ISO 13565-2:1996 for (2), (3).
+/// E. J. Abbott, F. A. Firestone, Mechanical Engineering 55 (1933) 569-572. R. R. Bahadur, A note on
+/// quantiles in large samples, Ann. Math. Statist. 37 (1966) 577-580. M. B. Wilk, R. Gnanadesikan,
+/// Probability plotting methods for the analysis of data, Biometrika 55 (1968) 1-17; A. Hazen, Trans. Am.
+/// Soc. Civ. Eng. 77 (1914) 1539-1640.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/field.hpp"
@@ -47,18 +54,21 @@
 
 namespace asperity {
 
-/// (2), (3).
+/// (2), (3), (3a).
 struct CoreParameters {
   double sk = 0, spk = 0, svk = 0;  ///< unit of the field
-  double smr1 = 0, smr2 = 0;        ///< shares, 0 … 1
-  double upper = 0, lower = 0;      ///< u, v; unit of the field
-  double begin = 0;                 ///< p₀
+  double spkx = 0, svkx = 0, sak1 = 0, sak2 = 0;
+  double smr1 = 0, smr2 = 0;    ///< shares, 0 … 1
+  double upper = 0, lower = 0;  ///< u, v; unit of the field
+  double begin = 0;             ///< p₀
 };
 
 /// (4), in the unit of the field: m³/m².
 struct VolumeParameters {
   double vmp = 0, vmc = 0, vvc = 0, vvv = 0;
 };
+
+inline constexpr std::array<double, 2> sxp_ratios{0.025, 0.5};
 
 class MaterialRatioCurve {
  public:
@@ -69,11 +79,12 @@ class MaterialRatioCurve {
   double height(double ratio) const;
   /// The share of the surface above a height, 0 above the highest point.
   double ratio(double height) const;
+  /// (3b). Throws ParameterError("material-ratio", …) unless 0 ≤ p ≤ q ≤ 1, as volumes do.
+  double fall(const std::array<double, 2>& ratios) const;
   /// The height below which a share of the surface lies; the median is quantile(0.5).
   double quantile(double share) const { return height(1 - share); }
 
   CoreParameters core() const;
-  /// Throws ParameterError("material-ratio", …) unless 0 ≤ p ≤ q ≤ 1.
   VolumeParameters volumes(double p = 0.1, double q = 0.8) const;
 
  private:

@@ -147,28 +147,27 @@ Heights heights_of(const Sample& sample) {
 
 // ---- extremes ----
 
-void add_extremes(Heights& heights) {
-  const Sample& sample = heights.sample;
+// The highest height above the mean, of side 1, or the depth of the lowest, -1, by the error of the level
+// that it is measured from.
+Estimate extreme(const Sample& sample, double side, double error_of_level) {
+  const Moments& m = sample.moments();
   const LagField& rho = sample.basis().correlation;
-  heights.sp = {.value = heights.m().sp, .why = too_few_patches(sample, 100)};
-  heights.sv = {.value = heights.m().sv, .why = heights.sp.why};
-  if (!sample.needs_errors() || !heights.sp.why.empty()) return;
+  Estimate out{.value = side > 0 ? m.sp : m.sv, .why = too_few_patches(sample, 100)};
+  if (!sample.needs_errors() || !out.why.empty()) return out;
   const double level = std::exp(-1);
   const auto along_x = first_crossing(rho.normalised().along_x(), level),
              along_y = first_crossing(rho.normalised().along_y(), level);
   auto length = [](const std::optional<Crossing>& at, Index n) {
     return at ? at->lag : static_cast<double>(n);
   };
-  const Field z = sample.surface().heights - heights.m().mean;
-  for (const double side : {1, -1}) {
-    Estimate& of = side > 0 ? heights.sp : heights.sv;
-    const auto error = extreme_error(side * z, sample.grid(), length(along_x, z.rows()),
-                                     length(along_y, z.cols()), heights.error.mean);
-    if (error)
-      of.standard_error = error->error, of.interval = error->interval;
-    else
-      of.why = "no standard error: fewer than six summits are two lengths apart, or they are equal";
-  }
+  const Field z = side * (sample.surface().heights - m.mean);
+  const auto error =
+      extreme_error(z, sample.grid(), length(along_x, z.rows()), length(along_y, z.cols()), error_of_level);
+  if (error)
+    out.standard_error = error->error, out.interval = error->interval;
+  else
+    out.why = "no standard error: fewer than six summits are two lengths apart, or they are equal";
+  return out;
 }
 
 // ---- effective sample sizes ----
@@ -207,9 +206,11 @@ void add_sizes(ParameterList& out, const Sample& sample) {
 
 struct Material {
   const Sample& sample;
+  const MaterialRatioCurve& curve;
   CoreParameters core;
   VolumeParameters volumes;
   std::optional<MaterialErrors> errors;
+  std::array<double, 2> ratios;
 
   // A figure of the core.
   Estimate core_figure(const Estimate& of) const {
@@ -225,6 +226,28 @@ struct Material {
   Estimate of_tail(double value, const WaveError& of) const {
     const std::string why = too_few_patches(sample, 40);
     return why.empty() ? length(value, of) : Estimate{.value = value, .why = why};
+  }
+  // Of what lies beyond the core.
+  Estimate outside(const Estimate& of) const {
+    if (of.value == 0) return {.value = 0, .why = "no standard error: nothing lies beyond the core"};
+    return core_figure(of);
+  }
+  // An extreme of the field, measured from an end of the core.
+  Estimate outside(double value, double side, const WaveError& of_level) const {
+    Estimate out = extreme(sample, side, of_level.error);
+    if (const double moved = value - out.value; out.interval)
+      out.interval =
+          Interval::of(value, std::max(0.0, out.interval->low + moved), out.interval->high + moved);
+    out.value = value;
+    return outside(out);
+  }
+  // Of two heights.
+  Estimate fall(const std::array<double, 2>& of_ratios, double value, const WaveError& of) const {
+    if (of_ratios[0] == of_ratios[1]) return {.value = 0, .why = "no standard error: p and q are the same"};
+    if (sample.size().gives_errors() &&
+        sample.extent().patches * std::min(of_ratios[0], 1 - of_ratios[1]) < 1)
+      return {.value = value, .why = "no standard error: less than one independent height lies beyond it"};
+    return length(value, of);
   }
   static Estimate share(double value, const WaveError& of) {
     if (!(of.error > 0)) return {value};
@@ -242,13 +265,27 @@ constexpr Definition<Material> core_table[] = {
     {"Sk", of_field, "core height",
      [](const Material& m) { return m.core_figure(m.length(m.core.sk, m.error().sk)); }},
     {"Spk", of_field, "reduced peak height",
-     [](const Material& m) { return m.core_figure(m.of_tail(m.core.spk, m.error().spk)); }},
+     [](const Material& m) { return m.outside(m.of_tail(m.core.spk, m.error().spk)); }},
     {"Svk", of_field, "reduced dale height",
-     [](const Material& m) { return m.core_figure(m.of_tail(m.core.svk, m.error().svk)); }},
+     [](const Material& m) { return m.outside(m.of_tail(m.core.svk, m.error().svk)); }},
     {"Smr1", "1", "material ratio where the core begins",
      [](const Material& m) { return m.core_figure(Material::share(m.core.smr1, m.error().smr1)); }},
     {"Smr2", "1", "material ratio where the core ends",
-     [](const Material& m) { return m.core_figure(Material::share(m.core.smr2, m.error().smr2)); }}};
+     [](const Material& m) { return m.core_figure(Material::share(m.core.smr2, m.error().smr2)); }},
+    {"Spkx", of_field, "maximum peak height above the core",
+     [](const Material& m) { return m.outside(m.core.spkx, 1, m.error().upper); }},
+    {"Svkx", of_field, "maximum pit depth below the core",
+     [](const Material& m) { return m.outside(m.core.svkx, -1, m.error().lower); }},
+    {"Sak1", of_field, "area of the reduced peaks, Smr1 Spk / 2",
+     [](const Material& m) { return m.outside(m.of_tail(m.core.sak1, m.error().sak1)); }},
+    {"Sak2", of_field, "area of the reduced dales, (1 - Smr2) Svk / 2",
+     [](const Material& m) { return m.outside(m.of_tail(m.core.sak2, m.error().sak2)); }}};
+
+constexpr Definition<Material> fall_table[] = {
+    {"Sdc", of_field, "height difference Smc_p - Smc_q",
+     [](const Material& m) { return m.fall(m.ratios, m.curve.fall(m.ratios), m.error().sdc); }},
+    {"Sxp", of_field, "peak extreme height, Smc at 0.025 less Smc at 0.5",
+     [](const Material& m) { return m.fall(sxp_ratios, m.curve.fall(sxp_ratios), m.error().sxp); }}};
 
 constexpr Definition<Material> volume_table[] = {
     {"Vmp", of_field, "peak material volume per area",
@@ -277,14 +314,16 @@ constexpr Definition<GoodnessOfFit> test_table[] = {
 }  // namespace
 
 std::string height_symbols() { return symbols_of(height_table); }
-std::string material_symbols() { return symbols_of(core_table) + ", " + symbols_of(volume_table); }
+std::string material_symbols() {
+  return symbols_of(core_table) + ", " + symbols_of(fall_table) + ", " + symbols_of(volume_table);
+}
 
 Parameters height_parameters(const Sample& sample, const MeasureOptions& options) {
   ParameterList out(sample.surface().units);
   Heights heights = heights_of(sample);
   if (options.preparation.longer.given())
     heights.of_mean = "no standard error: the L-filter has taken the long waves that it rests on";
-  add_extremes(heights);
+  heights.sp = extreme(sample, 1, heights.error.mean), heights.sv = extreme(sample, -1, heights.error.mean);
   out.add(height_table, heights);
   add_sizes(out, sample);
   if (!sample.basis().pairs.complete())
@@ -327,8 +366,12 @@ Parameters gaussianity(const Sample& sample, const MeasureOptions&) {
 Parameters material_parameters(const Sample& sample, const MeasureOptions& options) {
   const auto [p, q] = options.material_ratios;
   const MaterialRatioCurve curve = sample.material_ratio();
-  const Material of{sample, curve.core(), curve.volumes(p, q),
-                    sample.material_errors(curve, options.material_ratios)};
+  const Material of{.sample = sample,
+                    .curve = curve,
+                    .core = curve.core(),
+                    .volumes = curve.volumes(p, q),
+                    .errors = sample.material_errors(curve, options.material_ratios),
+                    .ratios = options.material_ratios};
   ParameterList out(sample.surface().units);
   const Words words{.why_no_error = equal_heights};
   out.add(core_table, of, words);
@@ -338,6 +381,7 @@ Parameters material_parameters(const Sample& sample, const MeasureOptions& optio
           {.meaning = shortest(p), .why_no_error = equal_heights});
   out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1],
           {.meaning = shortest(q), .why_no_error = equal_heights});
+  out.add(fall_table, of, words);
   out.add(volume_table, of, words);
   return std::move(out).with_known_errors(sample.size());
 }

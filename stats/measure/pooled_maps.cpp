@@ -117,8 +117,11 @@ void add_core(Parameters& out, const MaterialRatioCurve& curve, const PooledOpti
   const VolumeParameters volumes = curve.volumes(p, q);
   add_row(out, "Sk", core.sk), add_row(out, "Spk", core.spk), add_row(out, "Svk", core.svk);
   add_row(out, "Smr1", core.smr1), add_row(out, "Smr2", core.smr2);
+  add_row(out, "Sak1", core.sak1), add_row(out, "Sak2", core.sak2);
   if (is_resolved(p)) add_row(out, "Smc_p", curve.height(p));
   if (is_resolved(q)) add_row(out, "Smc_q", curve.height(q));
+  if (is_resolved(p) && is_resolved(q)) add_row(out, "Sdc", curve.fall(options.material_ratios));
+  add_row(out, "Sxp", curve.fall(sxp_ratios));
   add_row(out, "Vmp", volumes.vmp), add_row(out, "Vmc", volumes.vmc);
   add_row(out, "Vvc", volumes.vvc), add_row(out, "Vvv", volumes.vvv);
   for (const double share : options.quantiles)

@@ -18,27 +18,45 @@ struct Definition1D {
   const char* symbol;
   std::string_view unit;
   const char* meaning;
+  double least = 0, most = no_limit;
 };
 
 // In the order of ProfileParameters.
 constexpr std::array<Definition1D, profile_parameters_count> table{
     {{"a", of_field, "arithmetic mean height"},
      {"q", of_field, "root mean square height"},
-     {"sk", "1", "skewness, 0 for a Gaussian"},
-     {"ku", "1", "kurtosis, 3 for a Gaussian"},
+     {"sk", "1", "skewness, 0 for a Gaussian", -no_limit},
+     {"ku", "1", "kurtosis, 3 for a Gaussian", 1},
      {"p", of_field, "peak height, mean over the section lengths"},
      {"v", of_field, "pit depth, mean over the section lengths"},
      {"z", of_field, "maximum height, mean over the section lengths"},
      {"t", of_field, "total height of the profile"},
      {"dq", "1", "root mean square slope, from seven points"},
-     {"Sm", "m", "mean profile element spacing"}}};
+     {"Sm", "m", "mean profile element spacing"},
+     {"c", of_field, "mean profile element height"},
+     {"k", of_field, "core height"},
+     {"pk", of_field, "reduced peak height"},
+     {"vk", of_field, "reduced pit depth"},
+     {"mr1", "1", "material ratio where the core begins", 0, 1},
+     {"mr2", "1", "material ratio where the core ends", 0, 1},
+     {"pkx", of_field, "maximum peak height above the core"},
+     {"vkx", of_field, "maximum pit depth below the core"},
+     {"ak1", of_field, "area of the reduced peaks, mr1 pk / 2, per length"},
+     {"ak2", of_field, "area of the reduced pits, (1 - mr2) vk / 2, per length"},
+     {"mc_p", of_field, "inverse material ratio at {}", -no_limit},
+     {"mc_q", of_field, "inverse material ratio at {}", -no_limit},
+     {"dc", of_field, "height difference mc_p - mc_q"},
+     {"5p", of_field, "mean height of the five highest peaks, pruned at 5 % of z"},
+     {"5v", of_field, "mean depth of the five deepest pits, pruned at 5 % of z"},
+     {"10z", of_field, "5p + 5v"}}};
 
 // With Student's interval: of the logarithm, where the parameter is positive, `least` at least.
-Estimate with_error(double value, const WaveError& of, double least) {
+Estimate with_error(double value, const WaveError& of, double least, double most) {
   if (!std::isfinite(of.error)) return {value};
   if (least < 0) return {value, of.error, Interval::about(value, of.half_width())};
   const Interval ends = Interval::of_ratio(value, of.half_width() / value);
-  return {value, of.error, Interval::of(value, std::max(ends.low, std::min(least, value)), ends.high)};
+  return {value, of.error,
+          Interval::of(value, std::max(ends.low, std::min(least, value)), std::min(ends.high, most))};
 }
 
 Estimate spread_of(const SequenceMean& of) {
@@ -55,37 +73,47 @@ std::string why_no_profile_error(const SequenceMean& of) {
          " independent, fewer than " + shortest(SequenceMean::least_independent);
 }
 
+std::string axis_of(const Sample& sample, const MeasureOptions& options) {
+  const bool x = options.profiles == Axis1D::x;
+  const std::string axis = x ? "x" : "y";
+  if ((x ? sample.grid().shape.nx : sample.grid().shape.ny) < 2)
+    throw DataError(sample.surface().variable,
+                    "a profile along " + axis + " needs two points, but there is only one");
+  return axis;
+}
+
 }  // namespace
 
 Parameters profile_averages(const Sample& sample, const MeasureOptions& options) {
   const double cutoff = options.preparation.longer.wavelength;
   const std::string prefix = std::isnan(cutoff) ? "P" : "R";
-  const std::string axis = options.profiles == Axis1D::x ? "x" : "y";
-  if ((axis == "x" ? sample.grid().shape.nx : sample.grid().shape.ny) < 2)
-    throw DataError(sample.surface().variable,
-                    "a profile along " + axis + " needs two points, but there is only one");
-  const ProfileAverages averages = sample.profiles(options.profiles, std::isnan(cutoff) ? no_limit : cutoff);
+  const std::string axis = axis_of(sample, options);
+  const ProfileAverages averages =
+      sample.profiles(options.profiles, std::isnan(cutoff) ? no_limit : cutoff, options.material_ratios);
   ParameterList out(sample.surface().units);
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto i = static_cast<Index>(k);
     if (i == profile_dq && sample.surface().units != "m") continue;
-    const auto& [name, unit, meaning] = table[k];
+    const auto& [name, unit, meaning, least, most] = table[k];
     const std::string symbol = prefix + name;
     SequenceMean of = averages.of[k];
-    if (constexpr double rounding = 1e-12; !(of.spread > rounding * (i == profile_sk ? 1 : of.mean))) {
+    if (constexpr double rounding = 1e-12;
+        !(of.spread > rounding * (i == profile_sk ? 1 : std::abs(of.mean)))) {
       of.of_mean.error = of.of_spread.error = unknown;
       of.spread *= 0;
     }
-    const std::string why = "no value: no profile has this parameter";
+    const std::string why =
+        i < profile_5p ? "no value: no profile has this parameter" : "no value: no profile has five of them";
     std::string no_error = why_no_profile_error(of);
     const double step = sample.surface().step, spacing = axis == "x" ? sample.grid().dx : sample.grid().dy;
     // Of heights rounded to steps s, (2) of stats/profile/profile.hpp squared is larger by 0.098 s²/Δ².
     if (const std::string steps = steps_in_slopes(step, 0.098 * std::pow(step / spacing / of.mean, 2));
         i == profile_dq && !steps.empty())
       of.of_mean.error = of.of_spread.error = unknown, no_error = "no standard error: " + steps;
-    const double least = i == profile_sk ? -no_limit : i == profile_ku ? 1 : 0;
-    out.add(symbol, unit, meaning, with_error(of.mean, of.of_mean, least),
-            {.why = why, .why_no_error = no_error});
+    out.add(symbol, unit, meaning, with_error(of.mean, of.of_mean, least, most),
+            {.meaning = shortest(options.material_ratios[i == profile_mc_q ? 1 : 0]),
+             .why = why,
+             .why_no_error = no_error});
     out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", spread_of(of),
             {.meaning = symbol, .why = why, .why_no_error = no_error});
   }

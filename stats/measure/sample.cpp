@@ -105,9 +105,9 @@ std::array<GoodnessOfFit, 4> Sample::goodness_of_fit() const {
   return GaussianityTest(size_)(surface_.heights, moments());
 }
 
-ProfileAverages Sample::profiles(Axis1D along, double section) const {
+ProfileAverages Sample::profiles(Axis1D along, double section, const std::array<double, 2>& ratios) const {
   return average_profiles(surface_.heights, basis().pairs, extent(), along, section, basis().known_lags(),
-                          round_off());
+                          round_off(), ratios);
 }
 
 std::vector<double> Sample::quantiles(const std::vector<double>& shares) const {

@@ -65,7 +65,7 @@ class Sample {
   std::vector<double> quantiles(const std::vector<double>& shares) const;
   MaterialRatioCurve material_ratio() const;
   std::array<GoodnessOfFit, 4> goodness_of_fit() const;
-  ProfileAverages profiles(Axis1D along, double section) const;
+  ProfileAverages profiles(Axis1D along, double section, const std::array<double, 2>& ratios) const;
   /// What subtraction may leave of neighbours that are equal.
   double round_off() const;
 

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/words.hpp"
+#include "stats/feature/hills.hpp"
 #include "stats/filter/missing.hpp"
+#include "stats/height/material_ratio.hpp"
 
 namespace asperity {
 namespace {
@@ -63,51 +67,89 @@ double rms_slope(const Eigen::ArrayXd& z, double step, bool periodic) {
   return square.count > 0 ? std::sqrt(square.sum / square.count) : none;
 }
 
-// Walks along a profile and sums the lengths of its elements, in samples.
+// Walks along a profile and sums the lengths of its elements, in samples, and their heights.
 class Elements {
  public:
   explicit Elements(double threshold) : threshold_(threshold) {}
 
   void add(double sample, double height) {
     if (std::isnan(height)) {
-      *this = Elements(threshold_, sum_, count_);
+      *this = Elements(threshold_, lengths_, heights_, count_);
       return;
     }
     if (before_ * height < 0 || (height == 0 && before_ != 0)) cross(sample - height / (height - before_));
-    if (std::abs(height) > threshold_) reach(height > 0 ? 1 : -1);
+    if (std::abs(height) > threshold_) reach(height > 0 ? 1 : -1, std::abs(height));
     before_ = height;
   }
-  double mean() const { return count_ > 0 ? sum_ / count_ : none; }
+  double mean_length() const { return count_ > 0 ? lengths_ / count_ : none; }
+  double mean_height() const { return count_ > 0 ? heights_ / count_ : none; }
 
  private:
-  Elements(double threshold, double sum, double count) : threshold_(threshold), sum_(sum), count_(count) {}
+  Elements(double threshold, double lengths, double heights, double count)
+      : threshold_(threshold), lengths_(lengths), heights_(heights), count_(count) {}
 
   void cross(double at) {
     if (std::isnan(first_)) first_ = at;
     last_ = at;
   }
   // A hill (side 1) or a dale (-1): if it is not the one that was, the crossings since then end an element.
-  void reach(int side) {
+  void reach(int side, double far) {
     if (side_ != 0 && side != side_) {
       double& former = end_[side > 0 ? 1 : 0];
       const double end = 0.5 * (first_ + last_);
-      if (!std::isnan(former)) sum_ += end - former, ++count_;
+      if (!std::isnan(former)) lengths_ += end - former, heights_ += far_[0] + far_[1], ++count_;
       former = end;
     }
+    double& own = far_[side > 0 ? 1 : 0];
+    own = side == side_ ? std::max(own, far) : far;
     side_ = side;
     first_ = none;
   }
 
-  double threshold_, sum_ = 0, count_ = 0;
+  double threshold_, lengths_ = 0, heights_ = 0, count_ = 0;
   double before_ = 0, first_ = none, last_ = none;
   double end_[2] = {none, none};  // where the last element ended, downwards and upwards
+  double far_[2] = {0, 0};        // depth of the last dale, height of the last hill
   int side_ = 0;
 };
 
-double element_spacing(const Eigen::ArrayXd& z, double step, double threshold) {
-  Elements elements(threshold);
+void add_elements(ProfileParameters& out, const Eigen::ArrayXd& z, double step) {
+  Elements elements(0.1 * out[profile_z]);
   for (Index i = 0; i < z.size(); ++i) elements.add(static_cast<double>(i), z(i));
-  return step * elements.mean();
+  out[profile_sm] = step * elements.mean_length();
+  out[profile_c] = elements.mean_height();
+}
+
+// Of a straight profile all lengths are 0, and there is no share.
+void add_material(ProfileParameters& out, const Eigen::ArrayXd& z, const std::array<double, 2>& ratios) {
+  const MaterialRatioCurve curve{Field(z)};
+  const CoreParameters core = curve.core();
+  out[profile_k] = core.sk, out[profile_pk] = core.spk, out[profile_vk] = core.svk;
+  if (out[profile_q] > 0) out[profile_mr1] = core.smr1, out[profile_mr2] = core.smr2;
+  out[profile_pkx] = core.spkx, out[profile_vkx] = core.svkx;
+  out[profile_ak1] = core.sak1, out[profile_ak2] = core.sak2;
+  out[profile_mc_p] = curve.height(ratios[0]), out[profile_mc_q] = curve.height(ratios[1]);
+  out[profile_dc] = curve.fall(ratios);
+}
+
+// The mean height of the five highest peaks.
+double five_highest(const Eigen::ArrayXd& z, bool periodic, double least) {
+  constexpr std::ptrdiff_t five = 5;
+  const Index n = z.size();
+  auto ends = [&](Index peak, Index step) {  // or is beside a missing point, with all of its height
+    for (Index k = 1, at = peak; k < n; ++k) {
+      at = periodic ? (at + step + n) % n : at + step;
+      if (at < 0 || at >= n || std::isnan(z(at))) return true;
+      if (z(at) != z(peak)) return false;
+    }
+    return true;
+  };
+  std::vector<double> heights;
+  for (const Hill& h : pruned(hills_of(Field(z.transpose()), {false, periodic}), least).all)
+    if (!ends(h.peak, 1) && !ends(h.peak, -1)) heights.push_back(h.height);
+  if (std::ssize(heights) < five) return none;
+  std::ranges::partial_sort(heights, heights.begin() + five, std::ranges::greater());
+  return std::accumulate(heights.begin(), heights.begin() + five, 0.0) / five;
 }
 
 // c; lags p run along the profiles, j across.
@@ -156,7 +198,7 @@ LocalMeans means_in_plane(const Field& heights, const Grid& grid, const FieldExt
 }  // namespace
 
 ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step, double section,
-                                     bool periodic, double round_off) {
+                                     bool periodic, double round_off, const std::array<double, 2>& ratios) {
   ProfileParameters out = ProfileParameters::Constant(none);
   const ValidSum sum = sum_of_valid(heights);
   if (sum.count < 2) return out;
@@ -165,12 +207,17 @@ ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step,
   add_moments(out, z);
   add_extremes(out, z, section / step);
   out[profile_dq] = rms_slope(z, step, periodic);
-  out[profile_sm] = element_spacing(z, step, 0.1 * out[profile_z]);
+  add_elements(out, z, step);
+  add_material(out, z, ratios);
+  const double least = 0.05 * out[profile_z];
+  out[profile_5p] = five_highest(z, periodic, least), out[profile_5v] = five_highest(-z, periodic, least);
+  out[profile_10z] = out[profile_5p] + out[profile_5v];
   return out;
 }
 
 ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, const FieldExtent& extent,
-                                 Axis1D along, double section, const LagField& rho, double round_off) {
+                                 Axis1D along, double section, const LagField& rho, double round_off,
+                                 const std::array<double, 2>& ratios) {
   const Grid& grid = pairs.grid();
   const bool x = along == Axis1D::x;
   const double length = x ? grid.size_x() : grid.size_y(), step = x ? grid.dx : grid.dy;
@@ -181,7 +228,7 @@ ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, const
   for (Index i = 0, m = x ? heights.cols() : heights.rows(); i < m; ++i) {
     const Eigen::ArrayXd profile = x ? Eigen::ArrayXd(heights.col(i)) : heights.row(i).transpose();
     profiles.push_back(
-        profile_parameters(profile, step, section, x ? grid.periodic.x : grid.periodic.y, round_off));
+        profile_parameters(profile, step, section, x ? grid.periodic.x : grid.periodic.y, round_off, ratios));
   }
   const double share = 1 / profiles_worth_one(rho, pairs, along);
   const bool across = x ? grid.periodic.y : grid.periodic.x;

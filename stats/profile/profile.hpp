@@ -10,6 +10,13 @@
 ///                    the mean line, dales fall as far below; an element ends where the profile crosses it
 ///                    (half way from the first to the last of several crossings), and elements from hill to
 ///                    hill and from dale to dale are both counted.
+///     c              mean height of these elements, from the pit of the dale to the peak of the hill
+///     k, pk, vk, mr1, mr2, pkx, vkx, ak1, ak2, mc, dc
+///                    of the profile's heights what Sk, Spk, Svk, Smr1, Smr2, Spkx, Svkx, Sak1, Sak2, Smc and
+///                    Sdc are of a surface's (stats/height/material_ratio.hpp)
+///     5p, 5v, 10z    mean height of the five highest peaks, depth of the five deepest pits, their sum, of a
+///                    profile that has five. Hills and dales are pruned below z/20
+///                    (stats/feature/hills.hpp); what is highest at an end or beside a missing point is none.
 /// The prefix P denotes the primary profile, with one section; R the roughness profile, whose sections are as
 /// long as the cut-off of the filter, l_sc = λ_c.
 ///
@@ -25,15 +32,19 @@
 ///
 /// Symbols   z  heights, positive outwards [m]      l_sc  section length [m]      ρ  correlation
 /// Scope     Filters act on the surface before profiles are taken from it (stats/filter/gaussian_filter.hpp).
+///           The standard has k to ak2 behind its robust filter, which is for the user to ask for.
 ///           Missing points are left out; no stencil (2) and no element spans one.
 /// Accuracy  (1) to round-off; (2) of a wave u = qΔ is (45 sin u - 9 sin 2u + sin 3u)/(30u), 1 - u⁶/140,
 ///           times its slope. p, v of a wave of N points a period are low by up to 5/N².
 ///           Errors: docs/accuracy/asperity-stats.md. After a form of degree 2 they are 0.92 to 1.17 of the
 ///           true ones, those of plateaus 0.71 to 0.99: their profiles all bend with the error of the form.
-/// Cost      a few passes over the data, one over the correlation.
+/// Cost      of each profile a sort, two trees of hills and a few passes; one pass over the correlation.
 ///
-/// ISO 21920-2:2021; ISO 4287:1997, 4.3.1 for (2). Sm uses its limit of 10 % Rz, but not that of 1 % in
-/// length. P. J. Scott, The case of surface texture parameter RSm, Meas. Sci. Technol. 17 (2006) 559-564.
+/// ISO 21920-2:2021; ISO 4287:1997, 4.3.1 for (2). Sm and c use its limit of 10 % Rz, as some instruments do;
+/// others take 10 % of Rp for hills and of Rv for dales. That of 1 % in length is not used. The text of the
+/// former was not seen for k to 10z: that they are those of surfaces, and peaks are pruned at 5 %, is as
+/// other programs say. P. J. Scott, The case of surface texture parameter RSm, Meas. Sci. Technol. 17 (2006)
+/// 559-564.
 #pragma once
 
 #include <array>
@@ -58,6 +69,22 @@ enum ProfileParameter {
   profile_t,
   profile_dq,
   profile_sm,
+  profile_c,
+  profile_k,
+  profile_pk,
+  profile_vk,
+  profile_mr1,
+  profile_mr2,
+  profile_pkx,
+  profile_vkx,
+  profile_ak1,
+  profile_ak2,
+  profile_mc_p,
+  profile_mc_q,
+  profile_dc,
+  profile_5p,
+  profile_5v,
+  profile_10z,
   profile_parameters_count
 };
 
@@ -65,9 +92,11 @@ enum ProfileParameter {
 using ProfileParameters = Eigen::Array<double, profile_parameters_count, 1>;
 
 /// Of one profile of heights `step` apart; `section` is l_sc, infinite for one section; (2) wraps around if
-/// `periodic`. A profile whose heights above its mean are `round_off` at most is straight.
+/// `periodic`. A profile whose heights above its mean are `round_off` at most is straight. mc and dc are at
+/// the material ratios p, q.
 ProfileParameters profile_parameters(const Eigen::ArrayXd& heights, double step, double section,
-                                     bool periodic, double round_off = 0);
+                                     bool periodic, double round_off = 0,
+                                     const std::array<double, 2>& ratios = {0.1, 0.8});
 
 struct ProfileAverages {
   std::array<SequenceMean, profile_parameters_count> of;
@@ -78,6 +107,7 @@ struct ProfileAverages {
 /// Of the profiles along one axis of a field; ρ is a correlation that is zero beyond its lags. Throws
 /// ParameterError("lambda-c", …) if the section is longer than the profiles.
 ProfileAverages average_profiles(const Field& heights, const Pairs& pairs, const FieldExtent& extent,
-                                 Axis1D along, double section, const LagField& rho, double round_off = 0);
+                                 Axis1D along, double section, const LagField& rho, double round_off = 0,
+                                 const std::array<double, 2>& ratios = {0.1, 0.8});
 
 }  // namespace asperity

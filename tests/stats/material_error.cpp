@@ -29,23 +29,28 @@ Field shuffled_quantiles(Shape shape, unsigned seed) {
   return Eigen::Map<const Field>(heights.data(), shape.nx, shape.ny);
 }
 
-// Sk, Spk, Svk, Smr1, Smr2, Vmp, Vmc, Vvc, Vvv of heights that count 200 (1 + weight) times.
-Eigen::Array<double, 9, 1> figures(const Field& z, const Field& weight) {
+constexpr Index figures_number = 15;
+
+// Sk, Spk, Svk, Smr1, Smr2, Vmp, Vmc, Vvc, Vvv, Sak1, Sak2, Sdc, Sxp, u, v of heights that count
+// 200 (1 + weight) times.
+Eigen::Array<double, figures_number, 1> figures(const Field& z, const Field& weight) {
   std::vector<double> all;
   for (Index i = 0; i < z.size(); ++i)
     all.insert(all.end(), static_cast<std::size_t>(std::lround(200 * (1 + weight(i)))), z(i));
   const MaterialRatioCurve curve(Eigen::Map<const Field>(all.data(), std::ssize(all), 1));
   const CoreParameters core = curve.core();
   const VolumeParameters v = curve.volumes(core_bounds[0], core_bounds[1]);
-  Eigen::Array<double, 9, 1> out;
-  out << core.sk, core.spk, core.svk, core.smr1, core.smr2, v.vmp, v.vmc, v.vvc, v.vvv;
+  Eigen::Array<double, figures_number, 1> out;
+  out << core.sk, core.spk, core.svk, core.smr1, core.smr2, v.vmp, v.vmc, v.vvc, v.vvv, core.sak1, core.sak2,
+      curve.fall(core_bounds), curve.fall(sxp_ratios), core.upper, core.lower;
   return out;
 }
 
 }  // namespace
 
 // Where heights count 1 + ε u_k times, T changes by ε c_k of its influence function: here by a difference over
-// ε = ± 0.1. The density over shares of ± 5 %, classes of 1/500 and whole counts are worth 10 %.
+// ε = ± 0.1. The density over shares of ± 5 %, classes of 1/500 and whole counts are worth 10 %. That of Sxp at
+// 2.5 %, over shares of 1.25 to 3.75 %, is 9.5 % too low besides: exp(0.3 x) rises by 0.253 between them.
 TEST_CASE("errors of the material ratio are those of the change of every figure with the weights of a wave",
           "[material-error][order]") {
   const Shape shape{40, 50};
@@ -54,7 +59,7 @@ TEST_CASE("errors of the material ratio are those of the change of every figure 
   const FieldExtent extent{200, 1};
   const LongWaves waves(g, extent);
   const AxisWaves along(g);
-  Eigen::ArrayXXd squares(9, std::ssize(waves.all()));
+  Eigen::ArrayXXd squares(figures_number, std::ssize(waves.all()));
   constexpr double step = 0.1;
   for (Index k = 0; k < squares.cols(); ++k) {
     const auto [a, b] = waves.all()[size(k)];
@@ -64,10 +69,13 @@ TEST_CASE("errors of the material ratio are those of the change of every figure 
   const WaveSpectra spectra(waves.numbers());
   const MaterialErrors of = material_errors(z, g, extent, MaterialRatioCurve(z), core_bounds);
   CHECK_FALSE(of.core_may_be_elsewhere);
-  const std::array errors{of.sk, of.spk, of.svk, of.smr1, of.smr2, of.vmp, of.vmc, of.vvc, of.vvv};
+  const std::array errors{of.sk,  of.spk,  of.svk,  of.smr1, of.smr2, of.vmp,   of.vmc,  of.vvc,
+                          of.vvv, of.sak1, of.sak2, of.sdc,  of.sxp,  of.upper, of.lower};
+  STATIC_REQUIRE(errors.size() == figures_number);
   for (std::size_t k = 0; k < errors.size(); ++k) {
     CAPTURE(k);
-    CHECK(relative_error(errors[k].error, spectra.error(squares.row(static_cast<Index>(k))).error) <= 0.1);
+    const double margin = errors[k].error == of.sxp.error ? 0.2 : 0.1;
+    CHECK(relative_error(errors[k].error, spectra.error(squares.row(static_cast<Index>(k))).error) <= margin);
   }
 }
 

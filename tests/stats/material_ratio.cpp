@@ -47,6 +47,12 @@ TEST_CASE("heights spread evenly over a range H have Sk = H, no hills, no dales,
     CHECK(std::abs(core.svk) <= 75 * H * bound);
     CHECK(core.smr1 <= 75 * bound);
     CHECK(core.smr2 >= 1 - 75 * bound);
+    for (const double beyond : {core.spkx, core.svkx, core.sak1, core.sak2}) {
+      CHECK(beyond >= 0);
+      CHECK(beyond <= 75 * H * bound);
+    }
+    CHECK(std::abs(curve.fall({0.1, 0.8}) - 0.7 * H) <= H * bound);
+    CHECK(std::abs(curve.fall(sxp_ratios) - 0.475 * H) <= H * bound);
     for (double p : {0.1, 0.37, 0.8}) {
       CHECK(std::abs(curve.volumes(p, p).vmp - H * p * p / 2) <= H * bound);
       CHECK(std::abs(curve.volumes(p, p).vvv - H * (1 - p) * (1 - p) / 2) <= H * bound);
@@ -66,6 +72,12 @@ TEST_CASE("of a curve of three straight pieces the Sk family is what the drawing
   CHECK(std::abs(core.smr2 - (0.8 - 0.2 * v / dale)) <= 75 * bound);
   CHECK(std::abs(core.spk - (hill - u)) <= 75 * bound);
   CHECK(std::abs(core.svk - (v + dale)) <= 75 * bound);
+  CHECK(std::abs(core.spkx - (hill - u)) <= 75 * bound);
+  CHECK(std::abs(core.svkx - (v + dale)) <= 75 * bound);
+  CHECK(std::abs(core.sak1 - 0.05 * (hill - u) * (hill - u) / (hill - 1)) <= 75 * bound);
+  CHECK(std::abs(core.sak2 - 0.1 * (v + dale) * (v + dale) / dale) <= 75 * bound);
+  CHECK(std::abs(curve.fall({0.1, 0.8}) - 1) <= bound);
+  CHECK(std::abs(curve.fall(sxp_ratios) - (hill - 0.25 * (hill - 1) - 0.3 / 0.7)) <= bound);
 
   const VolumeParameters volumes = curve.volumes();
   CHECK(std::abs(volumes.vmp - 0.05 * (hill - 1)) <= bound);
@@ -94,6 +106,11 @@ TEST_CASE("the Sk family of Gaussian heights tends to its closed form at order 1
     CHECK(std::abs(core.smr2 - (1 - share)) <= 20 / n);
     CHECK(std::abs(core.spk - spk) <= 40 / n / share);
     CHECK(std::abs(core.svk - spk) <= 40 / n / share);
+    CHECK(std::abs(core.sak1 - share * spk / 2) <= 40 / n);
+    CHECK(std::abs(core.sak2 - share * spk / 2) <= 40 / n);
+    CHECK(std::abs(core.spkx - (gsl_cdf_ugaussian_Qinv(0.5 / n) - u)) <= 20 / n);
+    CHECK(std::abs(core.svkx - (gsl_cdf_ugaussian_Qinv(0.5 / n) - u)) <= 20 / n);
+    CHECK(std::abs(curve.fall(sxp_ratios) - gsl_cdf_ugaussian_Qinv(0.025)) <= 20 / n);
     CHECK(std::abs(curve.volumes().vvv - curve.volumes().vmp) >= 0.01);  // at 80 % and 10 %, not mirrored
     CHECK(std::abs(curve.volumes(0.2, 0.8).vvv - curve.volumes(0.2, 0.8).vmp) <= 20 / n);
   }
@@ -125,6 +142,8 @@ TEST_CASE("of a sine the core is the first of its two flattest secants, as ISO 1
       CHECK(std::abs(core.sk + slope) <= 40 / (n * n));
       CHECK(std::abs(core.upper - (mean - 0.2 * slope)) <= 40 / (n * n));
       CHECK(core.smr2 < 1);
+      CHECK((core.upper > 1 && core.spkx == 0 && core.sak1 == 0));  // nothing rises above the line
+      CHECK(std::abs(core.svkx - (core.lower + 1)) <= 4 * epsilon);
     }
   }
   // Half at 1, half at 0: the first of the two flats, all of it.
@@ -166,6 +185,9 @@ TEST_CASE("a pit in a flat has its depth for Svk, a spike its height for Spk, an
     CHECK(std::abs(pit.smr2 - 1022.0 / 1023) <= 1024 * epsilon);
     CHECK((spike.sk == 0 && spike.svk == 0 && !std::signbit(spike.svk) && spike.smr2 == 1));
     CHECK(std::abs(spike.spk - 1) <= 1024 * epsilon);
+    CHECK((pit.spkx == 0 && pit.sak1 == 0 && spike.svkx == 0 && spike.sak2 == 0));
+    for (const double one : {pit.svkx, spike.spkx, 2 * 1023 * pit.sak2, 2 * 1023 * spike.sak1})
+      CHECK(std::abs(one - 1) <= 2048 * epsilon);
     CHECK(std::abs(spike.smr1 - 1.0 / 1023) <= 1024 * epsilon);
   }
 }
@@ -209,6 +231,8 @@ TEST_CASE("shares outside 0 to 1, shares out of order and a single height are re
   CHECK_THROWS_AS(curve.height(1.01), ParameterError);
   CHECK_THROWS_AS(curve.height(std::nan("")), ParameterError);
   CHECK_THROWS_AS(curve.volumes(0.8, 0.1), ParameterError);
+  CHECK_THROWS_AS(curve.fall({0.8, 0.1}), ParameterError);
+  CHECK_THROWS_AS(curve.fall({0.1, std::nan("")}), ParameterError);
   CHECK_THROWS_AS(MaterialRatioCurve(Field::Ones(1, 1)), DataError);
 }
 

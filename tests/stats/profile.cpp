@@ -43,6 +43,9 @@ TEST_CASE(
     CHECK(relative_error(p[profile_z], 2 * A) <= 1e-13);
     CHECK(relative_error(p[profile_t], 2 * A) <= 1e-13);
     CHECK(relative_error(p[profile_sm], points * step) <= 1e-13);
+    CHECK(relative_error(p[profile_c], 2 * A) <= 1e-13);
+    for (const ProfileParameter five : {profile_5p, profile_5v}) CHECK(relative_error(p[five], A) <= 1e-13);
+    CHECK(relative_error(p[profile_10z], 2 * A) <= 1e-13);
   }
   const double few = profile_parameters(profile_wave(32, 1, 1), 1, whole, false)[profile_a] *
                          std::numbers::pi / 2 -
@@ -98,6 +101,69 @@ TEST_CASE("RSm does not count what stays within a tenth of Rz of the mean line",
   CHECK(relative_error(back, there) <= 1e-13);
 }
 
+// Hills k and dales k of k = 1 … 7, the last of them at the end. Above 10 % of 14 are those from 2 on. Between
+// the crossings behind hill 2 and behind hill 7 dale 2 and hill 3 are an element of the height 5, hill 3 and
+// dale 3 one of 6, …, dale 6 and hill 7 one of 13: 9 in the mean.
+TEST_CASE("Rc is the mean height of elements, R5p and R5v are those of the five highest and deepest",
+          "[profile][exact]") {
+  Eigen::ArrayXd z = Eigen::ArrayXd::Zero(28);
+  for (Index k = 1; k <= 7; ++k)
+    z(4 * k - 3) = static_cast<double>(k), z(4 * k - 1) = -static_cast<double>(k);
+  const ProfileParameters p = profile_parameters(z, 1, whole, false);
+  CHECK(relative_error(p[profile_c], 9) <= 1e-14);
+  CHECK(relative_error(profile_parameters(z.reverse(), 1, whole, false)[profile_c], 9) <= 1e-14);
+  CHECK(relative_error(p[profile_5p], 5) <= 1e-14);
+  CHECK(relative_error(p[profile_5v], (6 + 5 + 4 + 3 + 2) / 5.0) <= 1e-14);  // -7 is at the end
+  CHECK(relative_error(p[profile_10z], 9) <= 1e-14);
+  CHECK(relative_error(profile_parameters(z, 1, whole, true)[profile_5v], 5) <= 1e-14);
+}
+
+// A ripple of 4 % of Rz makes no peaks; a plateau is one, unless it reaches an end or a missing point. Six
+// crests of which one is at an end or is cut are five, five of which one is are too few.
+TEST_CASE("R5p counts neither ripples nor what is highest at an end, whichever that is, or beside a gap",
+          "[profile][law]") {
+  const Eigen::ArrayXd wave = profile_wave(20, 6, 1), fewer = profile_wave(20, 5, 1);
+  auto five = [](const Eigen::ArrayXd& z) { return profile_parameters(z, 1, whole, false)[profile_5p]; };
+  const Eigen::ArrayXd rippled = wave + profile_wave(2, 60, 0.04);
+  CHECK(five(rippled) <= 1.04 * (1 + 1e-13));
+  CHECK(five(rippled) >= 0.96);
+  CHECK(five(wave.min(0.5)) == Approx(0.5 - wave.min(0.5).mean()).epsilon(1e-13));
+  for (const bool back : {false, true}) {
+    auto turned = [back](const Eigen::ArrayXd& z) -> Eigen::ArrayXd { return back ? z.reverse() : z; };
+    const Eigen::ArrayXd cut = wave.min(0.5).tail(113);  // from within the first plateau on
+    CHECK(std::isfinite(five(turned(cut))));
+    CHECK(std::isnan(five(turned(fewer.min(0.5).tail(93)))));
+    Eigen::ArrayXd gap = fewer.min(0.5);
+    CHECK(std::isfinite(five(turned(gap))));
+    gap(48) = std::nan("");  // behind the third plateau
+    CHECK(std::isnan(five(turned(gap))));
+  }
+}
+
+TEST_CASE("the material ratio parameters of a profile are those of a surface of its heights",
+          "[profile][law]") {
+  const Field z = moving_average({1, 300}, {1, 4}, 8);
+  const Eigen::ArrayXd row = z.row(0).transpose();
+  const Parameters surface = measure({.grid = grid(1, 300), .heights = z}, {.groups = {Group::material}});
+  const ProfileParameters p = profile_parameters(row, 1, whole, false);
+  for (const auto& [k, name] : {std::pair{profile_k, "Sk"},
+                                {profile_pk, "Spk"},
+                                {profile_vk, "Svk"},
+                                {profile_mr1, "Smr1"},
+                                {profile_mr2, "Smr2"},
+                                {profile_pkx, "Spkx"},
+                                {profile_vkx, "Svkx"},
+                                {profile_ak1, "Sak1"},
+                                {profile_ak2, "Sak2"},
+                                {profile_mc_p, "Smc_p"},
+                                {profile_mc_q, "Smc_q"},
+                                {profile_dc, "Sdc"}}) {
+    CAPTURE(name);
+    CHECK(std::abs(p[k] - named(surface, name).value) <= 1e3 * epsilon);
+  }
+  CHECK_THROWS_AS(profile_parameters(row, 1, whole, false, 0, {0.8, 0.1}), ParameterError);
+}
+
 TEST_CASE("points that a profile lacks are left out, and no element reaches over them", "[profile][exact]") {
   Eigen::ArrayXd z = profile_wave(20, 8, 1);
   z.segment(63, 20).setConstant(std::nan(""));  // a period, so that the mean and the sums are those of seven
@@ -121,7 +187,9 @@ TEST_CASE("profiles that are straight to round-off have no heights", "[profile][
     for (const Parameter& p : profile_averages(sample, {.profiles = Axis1D::x})) {
       CAPTURE(degree, p.name, p.value);
       if (p.name.starts_with("profiles")) continue;
-      const bool shape = p.name.starts_with("Psk") || p.name.starts_with("Pku") || p.name.starts_with("PSm");
+      const std::array of_shape{"Psk", "Pku", "PSm", "Pc", "Pmr1", "Pmr2", "P5p", "P5v", "P10z"};
+      const bool shape =
+          std::ranges::any_of(of_shape, [&](const char* of) { return p.name.starts_with(of); });
       if (shape) CHECK(std::isnan(p.value));
       if (!shape) CHECK(p.value == 0);
       CHECK(std::isnan(p.standard_error));
@@ -131,7 +199,7 @@ TEST_CASE("profiles that are straight to round-off have no heights", "[profile][
 
 TEST_CASE("averages are over the profiles along one axis, and do not change when the surface is transposed",
           "[profile][law]") {
-  const Field z = sine({60, 7}, 2, 3);
+  const Field z = sine({60, 7}, 2, 7);
   const LagField rho = triangular_correlation({1, 1});
   const ProfileAverages x = average_profiles(z, grid(60, 7), {100, 1}, Axis1D::x, whole, rho),
                         y = average_profiles(z.transpose(), grid(7, 60), {100, 1}, Axis1D::y, whole, rho);
@@ -174,7 +242,7 @@ TEST_CASE("parameters of profiles have Student's intervals, if three profiles ar
   CHECK(relative_error(pq.standard_error, 1e-6 * averages.of[profile_q].of_mean.error) <= 0.1);
   for (const Parameter& p : all) CHECK(std::isfinite(p.standard_error) == !p.name.starts_with("profiles"));
 
-  const Field few = z.leftCols(8), equal = sine({60, 7}, 2, 3);
+  const Field few = z.leftCols(8), equal = sine({60, 7}, 2, 7);
   for (const auto& [of, why] :
        {std::pair{few, "profiles are independent, fewer than 3"}, {equal, "it is the same in all profiles"}})
     for (const Parameter& p :

@@ -39,8 +39,10 @@ TEST_CASE("asperity-stats prints the groups asked for, one beside the other or a
   CHECK_FALSE(height.contains("Sk"));
   CHECK_FALSE(height.contains("Sdq"));
   const Json two = json_of("asperity-stats drawn.nc --json --parameters material,hybrid --direction 30deg");
-  for (const char* name : {"Sk", "Spk", "Svk", "Smr1", "Smr2", "Vmp", "Vmc", "Vvc", "Vvv", "Sdq", "Sdr",
-                           "m2_x", "alpha_y", "m4_direction", "summit_density", "nayak_radius"})
+  for (const char* name : {"Sk",          "Spk",  "Svk", "Smr1", "Smr2",    "Spkx",         "Svkx",
+                           "Sak1",        "Sak2", "Sdc", "Sxp",  "Vmp",     "Vmc",          "Vvc",
+                           "Vvv",         "Sdq",  "Sdr", "m2_x", "alpha_y", "m4_direction", "summit_density",
+                           "nayak_radius"})
     CHECK(two.contains(name));
   CHECK_FALSE(two.contains("Sq"));
   const Json all = json_of("asperity-stats drawn.nc --json --parameters all --quantiles 0.5,0.95");
@@ -210,11 +212,15 @@ TEST_CASE(
   CHECK(along["profiles"]["value"] == 80);
   CHECK(along["profiles_eff"]["value"].get<double>() <= 30);
   CHECK(along.contains("PSm_spread"));
+  const Json ratios = json_of("asperity-stats drawn.nc --profile x --material-ratio 0.1,0.5 --json");
+  CHECK(ratios["Pmc_p"] == along["Pmc_p"]);
+  CHECK(ratios["Pdc"]["value"].get<double>() < along["Pdc"]["value"].get<double>());
   CHECK_FALSE(along.contains("Sq"));
   const Json across = json_of("asperity-stats drawn.nc --profile y --lambda-c 0.6mm --json");
   CHECK(across["profiles"]["value"] == 96);
   CHECK(across["Rz"]["value"].get<double>() < across["Rt"]["value"].get<double>());
-  for (const char* wrong : {"--parameters all", "--quantiles 0.5", "--direction 30deg", "--lambda-c 5mm"}) {
+  for (const char* wrong : {"--parameters all", "--quantiles 0.5", "--direction 30deg", "--lambda-c 5mm",
+                            "--material-ratio 0.8,0.1"}) {
     const Outcome run = run_on_surface(std::string("asperity-stats drawn.nc --profile x ") + wrong);
     CAPTURE(wrong, run.error);
     CHECK((run.exit == 2 && lines(run.error) == 1));

@@ -25,6 +25,17 @@ std::vector<double> shares(const std::string& list) {
   return out;
 }
 
+void profile_option(Tool& tool, std::string& profile) {
+  tool.choice(
+      "--profile", profile, {"x", "y"},
+      "Profile parameters (ISO 21920-2) along x or y instead: the mean over all profiles, and the spread. "
+      "Pa, "
+      "Pq, Psk, Pku, Pp, Pv, Pz, Pt, Pdq, PSm, Pc; Pk, Ppk, Pvk, Pmr1, Pmr2, Ppkx, Pvkx, Pak1, Pak2; Pmc_p, "
+      "Pmc_q, Pdc at the ratios of --material-ratio; P5p, P5v, P10z, of peaks and pits pruned at 5 % of Pz. "
+      "With --lambda-c Ra and so on; the standard has Rk to Rak2 behind its robust filter, 0.8mm,robust",
+      "Parameters");
+}
+
 void comparison_option(Tool& tool, bool& compare) {
   tool.flag("--compare", compare,
             "Compare the first INPUT with the others. A row for each parameter: value and standard error of "
@@ -70,16 +81,14 @@ void StatsOptions::declare(Tool& tool) {
           ", of hills and dales; areas and volumes of closed ones, beyond the "
           "median",
       "Parameters");
-  tool.choice(
-      "--profile", profile, {"x", "y"},
-      "Profile parameters (ISO 21920-2) along x or y instead. Pa, Pq, Psk, Pku, Pp, Pv, Pz, Pt, Pdq, PSm, or "
-      "with --lambda-c Ra and so on: the mean over all profiles, and the spread",
-      "Parameters");
+  profile_option(tool, profile);
   tool.text("--quantiles", quantiles, "P,...",
             "Heights below which these shares of the surface lie; 0.5: the median", "Parameters");
-  tool.quantities("--material-ratio", measured.material_ratios, "1",
-                  "Material ratios p,q that bound the core; for Vmp, Vmc, Vvc, Vvv, Smc_p and Smc_q",
-                  "Parameters");
+  tool.quantities(
+      "--material-ratio", measured.material_ratios, "1",
+      "Material ratios p,q that bound the core; for Vmp, Vmc, Vvc, Vvv, Smc_p, Smc_q and Sdc. With p = q Vmp "
+      "and Vvv are Vm(p) and Vv(p)",
+      "Parameters");
   pruning_option(tool, pruning, "Parameters");
   tool.number("--sal-level", measured.sal_level, "Level of R / R(0,0) that defines Sal and Str",
               "Parameters");
@@ -120,15 +129,16 @@ std::set<Group> StatsOptions::asked_groups() const {
 }
 
 void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& asked) const {
-  for (const char* areal : {"parameters", "quantiles", "material-ratio", "sal-level", "pruning", "direction"})
+  for (const char* areal : {"parameters", "quantiles", "sal-level", "pruning", "direction"})
     if (!profile.empty() && tool.given(std::string("--") + areal))
       throw UsageError(areal, "cannot be combined with --profile");
   for (const auto& [option, group, name] : {std::tuple{"material-ratio", Group::material, "material"},
                                             {"sal-level", Group::spatial, "spatial"},
                                             {"pruning", Group::feature, "feature"},
                                             {"direction", Group::hybrid, "hybrid"}})
-    if (tool.given(std::string("--") + option) && !asked.contains(group))
-      throw UsageError(option, std::string("needs --parameters ") + name);
+    if (tool.given(std::string("--") + option) && !asked.contains(group) && profile.empty())
+      throw UsageError(option, std::string("needs --parameters ") + name +
+                                   (group == Group::material ? " or --profile" : ""));
 }
 
 }  // namespace asperity::cli
