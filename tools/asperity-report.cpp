@@ -110,9 +110,10 @@ int report_on(cli::Tool& tool, const Options& o) {
   const report::NoGridErrors no_grid_errors = report::add_grid_errors(tool, dataset[0].data);
   const std::string reference = reference_of(o.measured.asked);
   const plot::Cases as_measured = measured_case(data, {sample, groups}, reference != "the mean");
-  cli::write_all(o.output, report::page({dataset, as_measured, title_of(tool, o.title), o.measured.variable,
-                                         reference, groups, tool.warnings(), no_grid_errors,
-                                         report::fields_of(data, o.measured.variable)}));
+  cli::write_all(o.output,
+                 report::page({dataset, as_measured, title_of(tool, o.title), o.measured.variable, reference,
+                               groups, tool.warnings(), no_grid_errors,
+                               report::fields_of(data, o.measured.variable), report::flow_of(tool, data)}));
   return cli::done;
 }
 

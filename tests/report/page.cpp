@@ -7,6 +7,7 @@
 
 #include "dataset/layout.hpp"
 #include "support.hpp"
+#include "tools/cli/readable.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
@@ -110,6 +111,40 @@ TEST_CASE("a contact shows what --add told of it", "[report][contract]") {
                            "a patch percolates along x</dt><dd class=\"short\">no<"})
     CHECK_THAT(page, ContainsSubstring(word));
   CHECK_THAT(page, !ContainsSubstring("area share"));
+}
+
+// Without a load the stress below is the residual one; both are shown to four digits.
+TEST_CASE(
+    "a contact that flows shows its strain and the stress that asperity-stress finds once it is unloaded",
+    "[report][exact][slow]") {
+  const std::string press =
+      "asperity-contact --smooth --shape 24x24 --size 3mm --radius 50mm --young 208GPa --poisson 0.3 "
+      "--plasticity j2 --increments 2 ";
+  require(press + "--load 6kN --yield 1GPa --unload -o flow.nc");
+  const std::string page = report_on("flow.nc");
+  CHECK(pictures_in(page) == 4);  // pressure, state, and two sections
+  const Dataset data = read_dataset("flow.nc");
+  const std::vector<double> strain = numbers(data.at("plastic_strain").values),
+                            depths = numbers(data.at("layer").values);
+  const auto k = static_cast<std::size_t>(std::ranges::max_element(strain) - strain.begin()) / (24 * 24);
+  CHECK_THAT(page, ContainsSubstring("A contact with plastic flow") &&
+                       ContainsSubstring(
+                           "largest plastic strain</dt><dd>" +
+                           cli::readable(data.attributes.number("contact_max_plastic_strain", 0), "1") +
+                           "<small>at depth " + cli::readable(depths[k], "m")) &&
+                       ContainsSubstring("dent of each body by plastic flow</dt><dd class=\"short\">" +
+                                         cli::readable(data.attributes.number("contact_dent", 0), "m")) &&
+                       ContainsSubstring("energy of the residual stress"));
+  std::string all;
+  for (const double z : depths) all += (all.empty() ? "" : ",") + cli::shortest(z) + "m";
+  require("asperity-stress flow.nc -q --depths " + all + " -o below.nc");
+  CHECK_THAT(page, ContainsSubstring(cli::readable(
+                       std::ranges::max(numbers(read_dataset("below.nc").at("von_mises").values)), "Pa")));
+  for (const std::string more : {"--load 6kN --yield 1GPa,9GPa", "--load 100N --yield 3GPa"}) {
+    require(press + more + " -o flow.nc");
+    CHECK_THAT(report_on("flow.nc"), !ContainsSubstring("largest plastic strain of the second body"));
+  }
+  CHECK_THAT(report_on("flow.nc"), !ContainsSubstring("Plastic flow"));
 }
 
 TEST_CASE("of a pressure the distribution is that of the cells in contact, with a form removed too",

@@ -14,10 +14,14 @@
 namespace asperity::report {
 namespace {
 
-// The numbers of both bodies; a single number if they agree.
+constexpr std::size_t most_values = 12;
+
+// The numbers of both bodies; a single number if they agree. Of a longer list its ends.
 std::string numbers_text(const std::vector<double>& values, const std::string& unit) {
   std::vector<std::string> words;
   for (const double v : values) words.push_back(readable(v, unit));
+  if (words.size() > most_values)
+    return fmt::format("{} to {} ({} values)", words.front(), words.back(), words.size());
   const bool alike = std::ranges::adjacent_find(words, std::ranges::not_equal_to()) == words.end();
   return words.empty() ? "–" : alike ? words.front() : fmt::format("{}", fmt::join(words, ", "));
 }
@@ -47,10 +51,9 @@ std::string text_of(const Dataset& data, const Values& values, std::string unit)
 
 std::string text_of(const Values& values) {
   if (const auto* words = std::get_if<std::string>(&values)) return *words;
-  constexpr std::size_t most = 12;
   std::vector<std::string> words;
   for (const double v : numbers(values)) {
-    if (words.size() == most) {
+    if (words.size() == most_values) {
       words.push_back(fmt::format("… ({} values)", count(values)));
       break;
     }
@@ -114,13 +117,11 @@ std::string facts(const Dataset& data, Role role, std::string_view stage) {
 
 std::string contact_figures(const Dataset& data) {
   std::string lines;
-  for (const char* name : {"area_share", "reduced_pressure", "kappa", "reduced_gap", "sphere_roughness",
-                           "plasticity_index", "nayak_alpha", "rms_slope", "rms_height", "elastic_energy",
-                           "plastic_work", "patches", "largest_patch", "percolates_x", "percolates_y"}) {
-    const KnownAttribute* known = known_attribute(std::string("contact_") + name);
+  const KnownAttribute *known = known_attribute("contact_area_share"),
+                       *last = known_attribute("contact_percolates_y");
+  for (; known <= last; ++known)
     if (const Values* values = data.attributes.find(known->name))
       lines += line(known->name, known->label, text_of(data, *known, *values));
-  }
   return element("dl", lines, "facts");
 }
 

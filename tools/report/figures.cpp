@@ -64,6 +64,13 @@ std::vector<Wanted> of_field(const Content& c) {
   return out;
 }
 
+std::vector<Wanted> of_flow(const Content& c) {
+  std::vector<Wanted> out;
+  for (const FlowVolume& v : c.flow.volumes)
+    out.push_back({"Section through the " + v.words, plot::section, v.variable, Kind::image, {}, v.section});
+  return out;
+}
+
 std::vector<Wanted> of_stress(const Content& c) {
   const Dataset& data = c.dataset[0].data;
   std::vector<Wanted> out;
@@ -209,6 +216,7 @@ Figures figures(const Content& content) {
   bool with_symbols = true;  // once a page
   return {gallery(content, content.dataset, of_field(content), "figures still", with_symbols),
           gallery(content, content.measured, of_surface(content), "figures", with_symbols),
+          gallery(content, content.flow.dataset, of_flow(content), "figures", with_symbols),
           gallery(content, content.dataset, of_stress(content), "figures", with_symbols)};
 }
 

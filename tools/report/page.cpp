@@ -46,7 +46,8 @@ std::vector<std::string> parts(const Content& c) {
   if (data.has("kernel"))
     out.push_back(c.groups.empty() ? "a kernel and its autocorrelation"
                                    : "the kernel of its autocorrelation");
-  if (data.has("pressure")) out.push_back("a contact");
+  if (data.has("pressure"))
+    out.push_back(c.flow.dataset.empty() ? "a contact" : "a contact with plastic flow");
   if (std::ranges::any_of(data.variables, [](const Variable& v) {
         const KnownResult* result = result_of_variable(v.name);
         return result && result->name == "stress";
@@ -119,6 +120,20 @@ std::string tiles_of_contact(const Attributes& a) {
   return out + tile(a, "contact_approach", "approach", "m", given == "approach" ? "prescribed" : "");
 }
 
+std::string tiles_of_flow(const Content& c) {
+  std::string out;
+  if (c.flow.dataset.empty()) return out;
+  const Attributes& a = c.dataset[0].data.attributes;
+  const Values* dents = a.find("contact_dent");
+  const double dent = dents && count(*dents) == 2 ? std::ranges::max(numbers(*dents)) : NAN,
+               error = dent * a.number("contact_increment_error", NAN);
+  out += tile("dent by plastic flow", value_text(dent, error, "m"),
+              error > 0 ? "± error of the increments" : "no error known");
+  for (const FlowVolume& v : c.flow.volumes)
+    out += tile(v.words.c_str(), value_text(v.largest, NAN, v.unit), "at depth " + readable(v.depth, "m"));
+  return out;
+}
+
 std::string tiles_of_stress(const Attributes& a) {
   const std::string depth = "at depth " + value_text(a.number("stress_max_depth", NAN),
                                                      a.number("stress_max_depth_error", NAN), "m");
@@ -185,6 +200,7 @@ std::vector<Section> sections(const Content& c) {
       {"field", "Fields", viewer(data, c.fields) + shown.field},
       {"contact", "Contact",
        contact_results(data) + missing(c.no_grid_errors.contact) + contact_figures(data)},
+      {"flow", "Plastic flow", missing(c.flow.unknown) + shown.flow},
       {"stress", "Stress below the surface",
        facts(data, Role::result, "stress") + missing(c.no_grid_errors.stress) + shown.stress},
       {"surface", of, shown.surface},
@@ -207,8 +223,8 @@ std::string body(const Content& c) {
     content +=
         fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", s.name, escaped(s.title), s.content);
   }
-  const std::string tiles =
-      tiles_of_surface(c) + tiles_of_contact(data.attributes) + tiles_of_stress(data.attributes);
+  const std::string tiles = tiles_of_surface(c) + tiles_of_contact(data.attributes) + tiles_of_flow(c) +
+                            tiles_of_stress(data.attributes);
   return element("header", element("h1", escaped(c.title)) + element("p", escaped(what_it_is(c)), "soft")) +
          "<main>\n" + warnings(data, c.warned) + element("dl", tiles, "tiles") +
          fmt::format("<nav aria-label=\"Sections\">\n{}</nav>\n{}</main>\n", links, content) + foot(data);

@@ -8,6 +8,7 @@
 #include "stats/measure/parameter.hpp"
 #include "tools/cli/tool.hpp"
 #include "tools/plot/figure.hpp"
+#include "tools/report/flow.hpp"
 #include "tools/report/grid_errors.hpp"
 
 namespace asperity::report {
@@ -28,6 +29,7 @@ struct Content {
   const std::vector<std::string>& warned;  ///< of the measurements
   NoGridErrors no_grid_errors = {};
   std::vector<std::string> fields = {};  ///< that the live field shows, `variable` first
+  Flow flow = {};
 };
 
 std::string page(const Content& content);

@@ -32,7 +32,7 @@ std::string warnings(const Dataset& data, const std::vector<std::string>& own);
 /// All pictures that the dataset allows, and the reasons why others are missing. Those of the field stand in
 /// for the live field without a script and on paper.
 struct Figures {
-  std::string field, surface, stress;
+  std::string field, surface, flow, stress;
 };
 Figures figures(const Content& content);
 
@@ -40,7 +40,7 @@ Figures figures(const Content& content);
 std::string measurements(const Parameters& rows);
 /// Results of the contact, and those of smooth bodies if Hertz theory applies.
 std::string contact_results(const Dataset& data);
-/// What --add told beyond: the ratios, energies and patches of the contact.
+/// What --add told beyond: the ratios, energies and patches of the contact; and what flow has left.
 std::string contact_figures(const Dataset& data);
 /// Variables with their dimensions, units and meaning.
 std::string contents(const Dataset& data);
