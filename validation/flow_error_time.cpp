@@ -75,15 +75,6 @@ struct Sphere {
   std::unique_ptr<ElasticOperator> influence;
 };
 
-double largest_share(PlasticContact& contact) {
-  FlowingBody& body = contact.body(0);
-  const PlasticBox& box = contact.box();
-  body.begin();
-  body.displaced({});
-  return body.respond(contact.contact().pressure.block(box.x.first, box.y.first, box.x.count, box.y.count),
-                      {}, {});
-}
-
 Pressed press(double w, const Setting& setting) {
   const Sphere sphere(w, setting.cells);
   PlasticParameters parameters{.hardening = {Hardening{yield}, Hardening{}}, .layers = setting.layers};
@@ -95,7 +86,7 @@ Pressed press(double w, const Setting& setting) {
               contact.contact().area / (std::numbers::pi * first_approach),
               contact.contact().max_pressure / yield,
               0,
-              largest_share(contact),
+              contact.yield_share(),
               watch.seconds(),
               static_cast<double>(contact.evaluations())};
   contact.go_to({}, 3);

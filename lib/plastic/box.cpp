@@ -21,23 +21,22 @@ Extent of_both(Extent a, Extent b) {
   return {first, std::max(a.end(), b.end()) - first};
 }
 
-Extent with_margin(Extent e, Index before, Index after, Index cells, bool periodic) {
-  const Index first = std::max<Index>(e.first - before, 0), end = std::min(e.end() + after, cells);
-  return periodic ? Extent{0, cells} : Extent{first, end - first};
+// With more cells before and after it, all of a periodic axis.
+Extent widened(Extent e, bool before, bool after, Index cells, bool periodic) {
+  if (periodic) return {0, cells};
+  const Index margin = least_margin + e.count / margin_part,
+              first = std::max<Index>(e.first - (before ? margin : 0), 0),
+              end = std::min(e.end() + (after ? margin : 0), cells);
+  return {first, end - first};
 }
 
-// Of a layer: the cells beyond the yield stress, row by row.
-struct Scanned {
-  std::vector<Extent> rows;
-  bool any() const {
-    return std::ranges::any_of(rows, [](Extent row) { return row.count > 0; });
-  }
-};
+// Of each layer, row by row: the cells beyond the yield stress.
+using YieldingRows = std::vector<std::vector<Extent>>;
 
-std::vector<Scanned> scanned(const LoadedBody& body, const std::vector<double>& depths, double yield,
-                             int threads) {
+YieldingRows yielding_rows(const LoadedBody& body, const std::vector<double>& depths, double yield,
+                           int threads) {
   const auto [nx, ny] = body.grid.shape;
-  std::vector<Scanned> out(depths.size(), Scanned{std::vector<Extent>(size(nx))});
+  YieldingRows out(depths.size(), std::vector<Extent>(size(nx)));
   const StressSolver solver(body, threads, DepthResolution::adapted);
   solver.layers(depths, stress::all, [&, ny = ny](Index layer, Index i, const StressRow& row) {
     std::vector<double> values(size(ny));
@@ -46,7 +45,7 @@ std::vector<Scanned> scanned(const LoadedBody& body, const std::vector<double>& 
     const auto first = std::ranges::find_if(values, beyond);
     if (first == values.end()) return;
     const auto last = std::find_if(values.rbegin(), values.rend(), beyond).base();
-    out[size(layer)].rows[size(i)] = {first - values.begin(), last - first};
+    out[size(layer)][size(i)] = {first - values.begin(), last - first};
   });
   return out;
 }
@@ -71,41 +70,38 @@ std::vector<double> graded_layers(double depth, double first, Index layers) {
   return out;
 }
 
+void Reach::add(Extent in_x, Extent in_y, Index to_layer) {
+  x = of_both(x, in_x);
+  y = of_both(y, in_y);
+  layers = std::max(layers, to_layer);
+}
+
 PlasticBox yielding_box(const Grid& grid, const Field& pressure, double poisson, double yield, Index layers,
                         int threads) {
   const double cell = std::min(grid.dx, grid.dy), deepest = std::max(grid.size_x(), grid.size_y());
   std::vector<double> depths;
   for (double z = first_scan * cell; z < deepest; z *= scan_ratio) depths.push_back(z);
-  PlasticBox box;
   const auto [x, y] = extents(pressure, [](double p) { return p > 0; });
-  box.x = x, box.y = y;
-  const std::vector<Scanned> found = scanned({grid, pressure, poisson}, depths, yield, threads);
-  double depth = 0;
-  for (std::size_t l = 0; l < depths.size(); ++l) {
-    if (!found[l].any()) continue;
-    depth = depths[l];
+  Reach reach{x, y};
+  const YieldingRows found = yielding_rows({grid, pressure, poisson}, depths, yield, threads);
+  for (Index l = 0; l < std::ssize(found); ++l)
     for (Index i = 0; i < grid.shape.nx; ++i)
-      if (const Extent row = found[l].rows[size(i)]; row.count > 0)
-        box.x = of_both(box.x, {i, 1}), box.y = of_both(box.y, row);
-  }
-  if (depth == 0) return box;
-  const Index margin_x = least_margin + box.x.count / margin_part,
-              margin_y = least_margin + box.y.count / margin_part;
-  box.x = with_margin(box.x, margin_x, margin_x, grid.shape.nx, grid.periodic.x);
-  box.y = with_margin(box.y, margin_y, margin_y, grid.shape.ny, grid.periodic.y);
-  const double first = cell * (found.front().any() ? at_asperities : in_the_bulk);
-  box.edges = graded_layers(deeper_box * std::max(depth, cell), first, layers);
-  return box;
+      if (const Extent row = found[size(l)][size(i)]; row.count > 0) reach.add({i, 1}, row, l + 1);
+  if (reach.layers == 0) return {reach.x, reach.y, {}};
+  const bool at_surface = std::ranges::any_of(found.front(), [](Extent row) { return row.count > 0; });
+  const double depth = deeper_box * std::max(depths[size(reach.layers - 1)], cell);
+  return {widened(reach.x, true, true, grid.shape.nx, grid.periodic.x),
+          widened(reach.y, true, true, grid.shape.ny, grid.periodic.y),
+          graded_layers(depth, cell * (at_surface ? at_asperities : in_the_bulk), layers)};
 }
 
-PlasticBox grown(const PlasticBox& box, const BoxSides& sides, const Grid& grid) {
-  auto more = [](bool side, Extent e) { return side ? least_margin + e.count / margin_part : 0; };
-  PlasticBox out = box;
-  out.x =
-      with_margin(box.x, more(sides.west, box.x), more(sides.east, box.x), grid.shape.nx, grid.periodic.x);
-  out.y =
-      with_margin(box.y, more(sides.south, box.y), more(sides.north, box.y), grid.shape.ny, grid.periodic.y);
-  if (!sides.bottom) return out;
+PlasticBox grown(const PlasticBox& box, const Reach& reached, const Grid& grid) {
+  auto more = [](Extent e, Extent of, Index cells, bool periodic) {
+    return of.count == 0 ? e : widened(e, of.first <= e.first, of.end() >= e.end(), cells, periodic);
+  };
+  PlasticBox out{more(box.x, reached.x, grid.shape.nx, grid.periodic.x),
+                 more(box.y, reached.y, grid.shape.ny, grid.periodic.y), box.edges};
+  if (reached.layers < box.layers()) return out;
   const double depth = box.edges.back(), last = depth - box.edges[box.edges.size() - 2],
                step = std::max(last, (deeper_box - 1) * depth / static_cast<double>(more_layers));
   while (out.edges.back() < deeper_box * depth * (1 - 1e-9)) out.edges.push_back(out.edges.back() + step);

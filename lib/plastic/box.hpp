@@ -21,6 +21,11 @@ struct PlasticBox {
   std::vector<double> edges;  ///< of layers [m], the first one 0
 
   Index layers() const { return static_cast<Index>(edges.size()) - 1; }
+  /// The part of a field above it.
+  template <class Whole>
+  auto of(Whole&& field) const {
+    return field.block(x.first, y.first, x.count, y.count);
+  }
   Grid grid(const Grid& whole) const { return {{x.count, y.count}, whole.dx, whole.dy, whole.periodic}; }
   bool operator==(const PlasticBox&) const = default;
 };
@@ -36,11 +41,16 @@ std::vector<double> graded_layers(double depth, double first, Index layers);
 PlasticBox yielding_box(const Grid& grid, const Field& pressure, double poisson, double yield, Index layers,
                         int threads = 1);
 
-/// The same box with more cells at the sides that are asked for, or another quarter of its depth.
-struct BoxSides {
-  bool west = false, east = false, south = false, north = false, bottom = false;
-  bool any() const { return west || east || south || north || bottom; }
+/// The cells of the grid that something takes, and the layers, down to the deepest.
+struct Reach {
+  Extent x, y;
+  Index layers = 0;
+
+  /// With a run of cells, and a layer.
+  void add(Extent in_x, Extent in_y, Index to_layer = 0);
 };
-PlasticBox grown(const PlasticBox& box, const BoxSides& sides, const Grid& grid);
+
+/// The same box with more cells at the sides that are reached, and another quarter of its depth.
+PlasticBox grown(const PlasticBox& box, const Reach& reached, const Grid& grid);
 
 }  // namespace asperity

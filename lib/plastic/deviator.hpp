@@ -35,6 +35,13 @@ inline Vector of(const stress::Tensor& t) {
           std::numbers::sqrt2 * t[xz], std::numbers::sqrt2 * t[yz]};
 }
 
+/// (1) of the tensor whose only component is this one, 1.
+inline Vector of(stress::Component c) {
+  stress::Tensor unit{};
+  unit[c] = 1;
+  return of(unit);
+}
+
 /// The tensor with this mean.
 inline stress::Tensor tensor(const Vector& d, double mean = 0) {
   const double across = mean - root_sixth * d[1];

@@ -28,13 +28,14 @@ FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const PlasticM
 FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const FlowingBody& smaller,
                          const PlasticBox& own)
     : FlowingBody(grid, box, smaller.material_, smaller.alike_, smaller.threads_) {
-  for (Index k = 0; k < smaller.layers(); ++k) {
-    auto place = [&](LayeredField& f, const LayeredField& g, Index c) {
-      f(k, c).block(own.x.first - box.x.first, own.y.first - box.y.first, own.x.count, own.y.count) = g(k, c);
-    };
-    place(equivalent_, smaller.equivalent_, 0);
-    for (Index c = 0; c < numbers; ++c) place(strain_, smaller.strain_, c);
-  }
+  const PlasticBox inner{
+      {own.x.first - box.x.first, own.x.count}, {own.y.first - box.y.first, own.y.count}, {}};
+  auto place = [&](LayeredField& f, const LayeredField& g) {
+    for (Index k = 0; k < g.layers(); ++k)
+      for (Index c = 0; c < g.components(); ++c) inner.of(f(k, c)) = g(k, c);
+  };
+  place(strain_, smaller.strain_);
+  place(equivalent_, smaller.equivalent_);
   dissipated_ = smaller.dissipated_;
 }
 
@@ -57,19 +58,14 @@ Index FlowingBody::place(Index point, Index component) const {
   return (point / cells * numbers + component) * cells + point % cells;
 }
 
-LayeredField FlowingBody::residual_stress() {
-  LayeredField out(layers(), numbers + 1, grid_.shape);
-  body_.set_strain(strain_);
-  body_.stress(nullptr, out);
-  return out;
-}
-
 double FlowingBody::stored() {
-  const LayeredField stress = residual_stress();
+  begin();
+  body_.set_strain(strain_);
+  body_.stress(nullptr, stress_);
   double sum = 0;
   for (Index k = 0; k < layers(); ++k)
     for (Index c = 0; c < numbers; ++c)
-      sum -= 0.5 * body_.thickness(k) * (strain_(k, c) * stress(k, c)).sum();
+      sum -= 0.5 * body_.thickness(k) * (strain_(k, c) * stress_(k, c)).sum();
   return alike_ * grid_.cell_area() * sum;
 }
 
@@ -192,18 +188,12 @@ void FlowingBody::commit(std::span<const double> unknowns) {
   }
 }
 
-BoxSides FlowingBody::reached() const {
-  BoxSides out;
-  const auto [nx, ny] = grid_.shape;
-  for (std::size_t n = 0; n < points_.size(); ++n) {
-    if (!(gamma_[n] > 0)) continue;
-    const Index layer = points_[n] / grid_.shape.cells(), cell = points_[n] % grid_.shape.cells();
-    out.west |= cell / ny == 0;
-    out.east |= cell / ny == nx - 1;
-    out.south |= cell % ny == 0;
-    out.north |= cell % ny == ny - 1;
-    out.bottom |= layer == layers() - 1;
-  }
+Reach FlowingBody::reached() const {
+  Reach out;
+  const auto [cells, ny] = std::pair(grid_.shape.cells(), grid_.shape.ny);
+  for (std::size_t n = 0; n < points_.size(); ++n)
+    if (const Index layer = points_[n] / cells, cell = points_[n] % cells; gamma_[n] > 0)
+      out.add({cell / ny, 1}, {cell % ny, 1}, layer + 1);
   return out;
 }
 

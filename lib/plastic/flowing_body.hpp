@@ -46,10 +46,8 @@ class FlowingBody {
   const LayeredField& strain() const { return strain_; }          ///< ε_n
   const LayeredField& equivalent() const { return equivalent_; }  ///< ε̄_n
   double dissipated() const { return dissipated_; }               ///< ∫ σ_f dε̄ dV of all alike [J]
-  /// -½ ∫ ε:Sε dV, the energy of the residual stress, of all alike [J].
+  /// -½ ∫ ε:Sε dV, the energy of the residual stress, of all alike [J]; no unknowns afterwards.
   double stored();
-  /// S ε_n: deviator and mean.
-  LayeredField residual_stress();
 
   // ---- an increment ----
 
@@ -70,8 +68,8 @@ class FlowingBody {
   double respond(const Field& pressure, std::span<const double> unknowns, std::span<double> out);
   /// Adds the D' of the last evaluation to the strain.
   void commit(std::span<const double> unknowns);
-  /// Where the last evaluation flows at a side of the box.
-  BoxSides reached() const;
+  /// What flows by the last evaluation, in cells of the box.
+  Reach reached() const;
 
  private:
   void restore();

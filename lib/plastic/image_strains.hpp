@@ -13,37 +13,13 @@
 /// Cost      700 waves: a twelfth of the stress of 64 × 64 cells, less of more.
 #pragma once
 
-#include <array>
-
 #include "plastic/layer_waves.hpp"
-#include "transform/plan.hpp"
 
 namespace asperity {
 
-class ImageStrains {
- public:
-  /// Of these cells on a torus of so many.
-  ImageStrains(const Grid& cells, Shape torus, const LayerWaves& waves);
-
-  /// Adds (1) to the stress of a strain: five components, or six with the mean.
-  void take_off(const LayeredField& strain, LayeredField& stress, double two_mu) const;
-
- private:
-  /// An axis: its points, and the interpolation from them to the cells.
-  struct Axis {
-    Eigen::MatrixXd interpolation;  ///< cells × points
-    double spacing = 0;             ///< of the points [m]
-    double share = 1;               ///< of it that a cell has
-    Index period = 0;               ///< points
-    bool periodic = false;
-  };
-  static Axis axis(Index cells, double spacing, Index period, bool periodic);
-  void add_response(const LayeredField& strain, Index times, double factor, LayeredField& out) const;
-  template <class Spectrum>
-  void respond(Shape torus, double factor, bool with_mean, Spectrum spectrum) const;
-
-  const LayerWaves& waves_;
-  Axis x_, y_;
-};
+/// Adds (1) to the stress of a strain in these cells on a torus of so many: five components, or six with the
+/// mean.
+void take_off_images(const Grid& cells, Shape torus, const LayerWaves& waves, double two_mu,
+                     const LayeredField& strain, LayeredField& stress, int threads = 1);
 
 }  // namespace asperity

@@ -101,23 +101,24 @@ class LayerWaves {
                 spectrum(k, c));
     }
   }
-  /// The part of a component in its lanes, xz and yz multiplied by i, and back by -i.
+  /// The part of a component in its lanes, xz and yz multiplied by i.
   static void load(int part, Index c, const Places& places, const Complex* spectrum, Lanes& x) {
-    const bool turned = c == 3 || c == 4;
-    const int own = turned ? 1 - part : part;
-    const double sign = turned && part == 0 ? -1 : 1;
+    const auto [own, sign] = turned(part, c);
     const auto* numbers = reinterpret_cast<const double*>(spectrum);
     for (Index l = 0; l < lanes; ++l) x[l] = sign * numbers[2 * places.at[size(l)] + own];
   }
+
+ private:
+  static std::pair<int, double> turned(int part, Index c) {
+    if (c != 3 && c != 4) return {part, 1};
+    return {1 - part, part == 0 ? -1 : 1};
+  }
+  /// Back, multiplied by -i.
   static void store(int part, Index c, const Places& places, const Lanes& x, Complex* spectrum) {
-    const bool turned = c == 3 || c == 4;
-    const int own = turned ? 1 - part : part;
-    const double sign = turned && part == 0 ? -1 : 1;
+    const auto [own, sign] = turned(part, c);
     auto* numbers = reinterpret_cast<double*>(spectrum);
     for (Index l = 0; l < places.count; ++l) numbers[2 * places.at[size(l)] + own] = sign * x[l];
   }
-
- private:
   void to_frame(Work& work, Index k) const;
   void sweep_up(Work& work, std::array<Lanes, 3>& at_surface) const;
   void sweep_down(Work& work, const std::array<Lanes, 3>& at_surface, bool with_mean) const;

@@ -31,32 +31,18 @@ double wave_number(Index k, Index n, double spacing) {
   return 2 * std::numbers::pi * static_cast<double>(k) / (static_cast<double>(n) * spacing);
 }
 
-// Of a component of the stress in those of the deviator, where the waves are real.
-constexpr std::array<double, 5> deviator_weights(Component c) {
-  constexpr double half = 0.70710678118654752440, sixth = 0.40824829046386301637, two = 2 * half;
-  switch (c) {
-    case stress::xx:
-      return {half, -sixth, 0, 0, 0};
-    case stress::yy:
-      return {-half, -sixth, 0, 0, 0};
-    case stress::zz:
-      return {0, 2 * sixth, 0, 0, 0};
-    case stress::xy:
-      return {0, 0, -two, 0, 0};
-    case stress::xz:
-      return {0, 0, 0, two, 0};
-    default:
-      return {0, 0, 0, 0, two};
-  }
-}
-
 }  // namespace
 
-// Of a thread, for eight rows.
-struct LayeredBody::RowBuffers {
-  explicit RowBuffers(const RowTransform& rows) : blocks(size(rows.blocks() * stride)), work(rows.work()) {}
-  static constexpr Index stride = group_rows * block_columns;
-  AlignedVector<Complex> blocks;  ///< zero where nothing is put
+// Of a thread: eight rows of blocks, zero where nothing is put, and a group of values.
+struct LayeredBody::Rows {
+  explicit Rows(const LayeredBody& body)
+      : blocks(size(body.rows_.blocks() * stride)),
+        values(size(group * body.grid_.shape.ny)),
+        work(body.rows_.work()) {}
+  static constexpr Index group = RowTransform::rows, stride = group * block_columns;
+
+  AlignedVector<Complex> blocks;
+  AlignedVector<double> values;
   RowTransform::Work work;
 };
 
@@ -83,7 +69,6 @@ LayeredBody::LayeredBody(const Grid& cells, std::vector<double> edges, double sh
       rows_(transform_.torus().ny),
       columns_(transform_.torus().nx, block_columns),
       waves_(thicknesses(edges_), poisson),
-      images_(cells, transform_.torus(), waves_),
       kernel_rows_(transform_.torus().nx / 2 + 1) {
   make_chunks();
 }
@@ -128,19 +113,20 @@ void LayeredBody::make_pressed() {
 void LayeredBody::add_kernel(LayerInfluence& influence, Index k) {
   for (Component c : stress::components) {
     influence.set_component(c);
-    const auto weights = deviator_weights(c);
+    const auto weights = deviator::of(c);
+    const double half = c == stress::xy ? -0.5 : 0.5;  // where the waves are real
     parallel_ranges(transform_.blocks(), threads_, [&](Index begin, Index end, int worker) {
       for (Index b = begin; b < end; ++b) {
         const auto kernel = influence.transfer_function(stress::normal, b, worker);
         const auto* numbers = reinterpret_cast<const double*>(kernel.pairs.data());
-        for (Index ky = b * block_columns; ky < std::min((b + 1) * block_columns, transform_.columns()); ++ky)
+        for (Index ky = b * block_columns; ky < end_of(b); ++ky)
           for (Index d = 0; d < five; ++d) {
             if (weights[size(d)] == 0) continue;
             const Index column = ky % block_columns;
             const double* of = numbers + column / 2 * kernel.stride * 2 + column % 2;
             float* to = pressed(ky, k, d);
             for (Index kx = 0; kx < kernel_rows_; ++kx)
-              to[kx] += static_cast<float>(0.5 * weights[size(d)] * of[2 * kx]);
+              to[kx] += static_cast<float>(half * weights[size(d)] * of[2 * kx]);
           }
       }
     });
@@ -165,6 +151,17 @@ std::vector<Extent> LayeredBody::groups(Index components) const {
   return out;
 }
 
+// visit(layer and component n, first row, how many, buffers) on all threads.
+template <class Visit>
+void LayeredBody::each_group(Index fields, Visit visit) {
+  parallel_ranges(fields, threads_, [&](Index begin, Index end, int) {
+    Rows rows(*this);
+    for (Index n = begin; n < end; ++n)
+      for (Index i = 0; i < grid_.shape.nx; i += Rows::group)
+        visit(n, i, std::min(Rows::group, grid_.shape.nx - i), rows);
+  });
+}
+
 // The strain's rows, transformed in y, for these blocks.
 void LayeredBody::load(Extent blocks, Index components) {
   if (loaded_ == blocks && components == components_) return;
@@ -172,40 +169,26 @@ void LayeredBody::load(Extent blocks, Index components) {
   components_ = components;
   const auto [nx, ny] = grid_.shape;
   spectra_.resize(size(layers() * components_ * spectrum_size()));
-  parallel_ranges(layers() * five, threads_, [&, nx = nx, ny = ny](Index begin, Index end, int) {
-    RowBuffers rows(rows_);
-    for (Index n = begin; n < end; ++n) {
-      const double* values = (*strain_)(n / five, n % five).data();
-      Complex* to = spectrum(n / five, n % five);
-      for (Index i = 0; i < nx; i += group_rows) {
-        const Index count = std::min(group_rows, nx - i);
-        rows_.forward(values + i * ny, ny, ny, count, rows.blocks.data(), rows.stride, rows.work);
-        for (Index b = 0; b < blocks.count; ++b)
-          std::copy_n(rows.blocks.data() + (blocks.first + b) * rows.stride, count * block_columns,
-                      to + (b * nx + i) * block_columns);
-      }
-    }
+  each_group(layers() * five, [&, nx = nx, ny = ny](Index n, Index i, Index count, Rows& rows) {
+    const Index k = n / five, c = n % five;
+    rows_.forward((*strain_)(k, c).data() + i * ny, ny, ny, count, rows.blocks.data(), rows.stride,
+                  rows.work);
+    for (Index b = 0; b < blocks.count; ++b)
+      std::copy_n(rows.blocks.data() + (blocks.first + b) * rows.stride, count * block_columns,
+                  spectrum(k, c) + (b * nx + i) * block_columns);
   });
 }
 
 // What load() and respond() have made of these blocks, back in the rows, which are added to the stress.
 void LayeredBody::add_rows(Extent blocks, LayeredField& out) {
   const auto [nx, ny] = grid_.shape;
-  parallel_ranges(layers() * components_, threads_, [&, nx = nx, ny = ny](Index begin, Index end, int) {
-    RowBuffers rows(rows_);
-    AlignedVector<double> values(size(group_rows * ny));
-    for (Index n = begin; n < end; ++n) {
-      const Complex* from = spectrum(n / components_, n % components_);
-      double* to = out(n / components_, n % components_).data();
-      for (Index i = 0; i < nx; i += group_rows) {
-        const Index count = std::min(group_rows, nx - i);
-        for (Index b = 0; b < blocks.count; ++b)
-          std::copy_n(from + (b * nx + i) * block_columns, count * block_columns,
-                      rows.blocks.data() + (blocks.first + b) * rows.stride);
-        rows_.inverse(rows.blocks.data(), rows.stride, count, ny, values.data(), ny, rows.work);
-        for (Index m = 0; m < count * ny; ++m) to[i * ny + m] += values[size(m)];
-      }
-    }
+  each_group(layers() * components_, [&, nx = nx, ny = ny](Index n, Index i, Index count, Rows& rows) {
+    const Index k = n / components_, c = n % components_;
+    for (Index b = 0; b < blocks.count; ++b)
+      std::copy_n(spectrum(k, c) + (b * nx + i) * block_columns, count * block_columns,
+                  rows.blocks.data() + (blocks.first + b) * rows.stride);
+    rows_.inverse(rows.blocks.data(), rows.stride, count, ny, rows.values.data(), ny, rows.work);
+    out(k, c).middleRows(i, count) += Eigen::Map<Field>(rows.values.data(), count, ny);
   });
 }
 
@@ -238,8 +221,7 @@ void LayeredBody::sum_displacement(Index b, Index block, Buffers& buffers) {
       const double scale = thickness(k) / static_cast<double>(torus.cells()),
                    odd = deviator::odd_in_x(c) ? -1 : 1;
       const Complex turn = c == 3 || c == 4 ? Complex(0, scale) : scale;
-      for (Index ky = block * block_columns; ky < std::min((block + 1) * block_columns, transform_.columns());
-           ++ky) {
+      for (Index ky = block * block_columns; ky < end_of(block); ++ky) {
         const Index column = ky % block_columns * transform_.stride();
         const float* kernel = pressed(ky, k, c);
         for (Index kx = 0; kx < torus.nx; ++kx) {
@@ -268,7 +250,7 @@ void LayeredBody::stress(const Field* pressure, LayeredField& out) {
     add_rows(blocks, out);
     loaded_.count = 0;
   }
-  images_.take_off(*strain_, out, two_mu_);
+  take_off_images(grid_, transform_.torus(), waves_, two_mu_, *strain_, out, threads_);
 }
 
 // The stress in a block, the b-th loaded one, in place of the strain.
@@ -279,8 +261,7 @@ void LayeredBody::respond_block(Index b, Index block, bool pressed, Buffers& buf
   };
   for (Index n = 0; n < layers() * components_; ++n)
     if (n % components_ < five) forward_columns(rows(n), columns(n), buffers.scratch.data());
-  for (Index ky = block * block_columns; ky < std::min((block + 1) * block_columns, transform_.columns());
-       ++ky) {
+  for (Index ky = block * block_columns; ky < end_of(block); ++ky) {
     const Index column = ky % block_columns * transform_.stride();
     respond(ky, column, pressed ? buffers.pressure.data() + column : nullptr, buffers);
   }
@@ -300,7 +281,7 @@ void LayeredBody::forward_columns(const Complex* rows, Complex* columns, Complex
 }
 
 // The stress of a column of waves, in place of the strain.
-void LayeredBody::respond(Index ky, Index column, const Complex* pressure, Buffers& buffers) const {
+void LayeredBody::respond(Index ky, Index column, const Complex* pressure, Buffers& buffers) {
   LayerWaves::Work& work = buffers.work;
   const Lanes qy = Lanes::Constant(wave_number(ky, transform_.torus().ny, grid_.dy)),
               factor = Lanes::Constant(two_mu_ / static_cast<double>(transform_.torus().cells()));
@@ -319,7 +300,7 @@ void LayeredBody::respond(Index ky, Index column, const Complex* pressure, Buffe
 }
 
 void LayeredBody::add_pressed(const Chunk& chunk, Index ky, int part, const Complex* pressure,
-                              LayerWaves::Work& work) const {
+                              LayerWaves::Work& work) {
   Lanes p;
   LayerWaves::load(part, 0, chunk.places, pressure, p);
   p /= static_cast<double>(transform_.torus().cells());

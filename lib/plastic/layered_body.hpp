@@ -58,8 +58,7 @@ class LayeredBody {
     bool nyquist = false;
   };
   struct Buffers;
-  struct RowBuffers;
-  static constexpr Index group_rows = RowTransform::rows;
+  struct Rows;
 
   void make_chunks();
   void make_pressed();
@@ -67,22 +66,22 @@ class LayeredBody {
   float* pressed(Index ky, Index k, Index c) {
     return pressed_.data() + ((ky * layers() + k) * deviator::components + c) * kernel_rows_;
   }
-  const float* pressed(Index ky, Index k, Index c) const {
-    return const_cast<LayeredBody*>(this)->pressed(ky, k, c);
-  }
+  /// The column after those of a block.
+  Index end_of(Index block) const { return std::min((block + 1) * block_columns, transform_.columns()); }
   /// Of the loaded blocks, [block][row][8].
   Index spectrum_size() const { return loaded_.count * grid_.shape.nx * block_columns; }
   Complex* spectrum(Index k, Index c) { return spectra_.data() + (k * components_ + c) * spectrum_size(); }
   /// Blocks of columns whose spectra are in memory together.
   std::vector<Extent> groups(Index components) const;
+  template <class Visit>
+  void each_group(Index fields, Visit visit);
   void load(Extent blocks, Index components);
   void add_rows(Extent blocks, LayeredField& out);
   void sum_displacement(Index b, Index block, Buffers& buffers);
   void respond_block(Index b, Index block, bool pressed, Buffers& buffers);
   void forward_columns(const Complex* rows, Complex* columns, Complex* scratch) const;
-  void respond(Index ky, Index column, const Complex* pressure, Buffers& buffers) const;
-  void add_pressed(const Chunk& chunk, Index ky, int part, const Complex* pressure,
-                   LayerWaves::Work& work) const;
+  void respond(Index ky, Index column, const Complex* pressure, Buffers& buffers);
+  void add_pressed(const Chunk& chunk, Index ky, int part, const Complex* pressure, LayerWaves::Work& work);
 
   Grid grid_;
   std::vector<double> edges_;
@@ -92,7 +91,6 @@ class LayeredBody {
   RowTransform rows_;
   ColumnTransform columns_;
   LayerWaves waves_;
-  ImageStrains images_;
   Index kernel_rows_;             ///< Px/2 + 1
   AlignedVector<float> pressed_;  ///< B in the waves' basis: [ky][layer][component][kx]
   std::vector<Chunk> chunks_;

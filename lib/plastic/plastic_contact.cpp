@@ -1,3 +1,5 @@
+#include "plastic/plastic_contact.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +8,6 @@
 #include "contact/energy.hpp"
 #include "core/error.hpp"
 #include "math/fixed_point.hpp"
-#include "plastic/plastic_path.hpp"
 
 namespace asperity {
 namespace {
@@ -43,8 +44,8 @@ void PlasticParameters::check(const PlasticBox& box, Index bodies) const {
                               memory / megabyte, needed / megabyte, box.x.count, box.y.count, box.layers()));
 }
 
-PlasticContact::Path::Path(const Grid& grid, Field gap, const Bodies& bodies, ElasticOperator& influence,
-                           ContactParameters contact_parameters, PlasticParameters parameters)
+PlasticContact::PlasticContact(const Grid& grid, Field gap, const Bodies& bodies, ElasticOperator& influence,
+                               ContactParameters contact_parameters, PlasticParameters parameters)
     : grid_(grid),
       gap_(std::move(gap)),
       influence_(influence),
@@ -59,14 +60,19 @@ PlasticContact::Path::Path(const Grid& grid, Field gap, const Bodies& bodies, El
   }
   contact_parameters_.stiffness = false;
   contact_parameters_.limit_pressure = std::numeric_limits<double>::infinity();
-  contact = untouched(gap_);
+  contact_ = untouched(gap_);
+}
+
+std::optional<Index> PlasticContact::flowing(std::size_t body) const {
+  if (flowing_.empty() || !flows(body)) return std::nullopt;
+  return static_cast<Index>(body == 1 && flows(0) && !alike());
 }
 
 // ---- the box ----
 
 // By a contact whose pressure the largest yield stress limits, or an elastic one if that carries no such
 // load.
-void PlasticContact::Path::choose_box(const PlasticTarget& target) {
+void PlasticContact::choose_box(const PlasticTarget& target) {
   ContactParameters parameters = parameters_of(target);
   double largest = 0, least = std::numeric_limits<double>::infinity();
   for (const PlasticMaterial& m : materials_)
@@ -78,29 +84,29 @@ void PlasticContact::Path::choose_box(const PlasticTarget& target) {
   if (target.approach || target.load < hardness * largest * grid_.size_x() * grid_.size_y())
     parameters.limit_pressure = hardness * largest;
   const Contact pressed = solve_contact(grid_, gap_, influence_, parameters);
-  convolutions += pressed.convolutions;
-  const PlasticMaterial& first = materials_[flowing(0) ? 0 : 1];
-  box = yielding_box(grid_, pressed.pressure, first.poisson, least, parameters_.layers,
-                     contact_parameters_.threads);
-  if (box.edges.empty()) return;
+  convolutions_ += pressed.convolutions;
+  const PlasticMaterial& first = materials_[flows(0) ? 0 : 1];
+  box_ = yielding_box(grid_, pressed.pressure, first.poisson, least, parameters_.layers,
+                      contact_parameters_.threads);
+  if (box_.edges.empty()) return;
   if (!parameters_.edges.empty()) {
-    if (const double needed = box.edges.back() / deeper_box; parameters_.edges.back() < needed)
+    if (const double needed = box_.edges.back() / deeper_box; parameters_.edges.back() < needed)
       throw ParameterError("depths", fmt::format("end at {:.6g} m, but the bodies yield as deep as {:.3g} m",
                                                  parameters_.edges.back(), needed));
-    box.edges = parameters_.edges;
+    box_.edges = parameters_.edges;
   }
-  const bool both = flowing(0) && flowing(1);
-  parameters_.check(box, both && !alike() ? 2 : 1);
+  const bool both = flows(0) && flows(1), apart = both && !alike();
+  parameters_.check(box_, apart ? 2 : 1);
   auto add = [&](const PlasticMaterial& material, int count) {
-    flowing_bodies.push_back(
-        std::make_unique<FlowingBody>(grid_, box, material, count, contact_parameters_.threads));
+    flowing_.push_back(
+        std::make_unique<FlowingBody>(grid_, box_, material, count, contact_parameters_.threads));
   };
-  add(first, both && alike() ? 2 : 1);
-  if (both && !alike()) add(materials_[1], 1);
+  add(first, both && !apart ? 2 : 1);
+  if (apart) add(materials_[1], 1);
 }
 
 // A punch as large as the domain sinks without end under 2.9 σ_Y; what hardens bears more.
-void PlasticContact::Path::check_borne(const PlasticTarget& target, double yield) const {
+void PlasticContact::check_borne(const PlasticTarget& target, double yield) const {
   const double most = punch_limit * yield * grid_.size_x() * grid_.size_y();
   const bool hardens = std::ranges::any_of(materials_, [](const PlasticMaterial& m) {
     return m.hardening.flows() && (m.hardening.modulus > 0 || m.hardening.strength > 0);
@@ -112,45 +118,29 @@ void PlasticContact::Path::check_borne(const PlasticTarget& target, double yield
                                    target.load, most));
 }
 
-// Sides of the box at which the contact is, or something flows, and where the body goes on.
-BoxSides PlasticContact::Path::reached() const {
-  const auto [x, y] = extents(contact.pressure, [](double p) { return p > 0; });
-  BoxSides out;
-  const Index east = x.end(), north = y.end();
-  if (x.count > 0)
-    out = {x.first <= box.x.first, east >= box.x.end(), y.first <= box.y.first, north >= box.y.end()};
-  for (const auto& body : flowing_bodies) {
-    const BoxSides sides = body->reached();
-    out.west |= sides.west, out.east |= sides.east, out.south |= sides.south, out.north |= sides.north;
-    out.bottom |= sides.bottom;
+Reach PlasticContact::flow_reached() const {
+  Reach out;
+  for (const auto& body : flowing_) {
+    Reach own = body->reached();
+    own.x.first += box_.x.first;
+    own.y.first += box_.y.first;
+    out.add(own.x, own.y, own.layers);
   }
-  if (grid_.periodic.x) out.west = out.east = false;
-  if (grid_.periodic.y) out.south = out.north = false;
   return out;
-}
-
-// Whether something flows at a free side of the domain.
-bool PlasticContact::Path::flows_at_side() const {
-  const bool x = !grid_.periodic.x, y = !grid_.periodic.y;
-  return std::ranges::any_of(flowing_bodies, [&](const auto& body) {
-    const BoxSides sides = body->reached();
-    return (sides.west && x && box.x.first == 0) || (sides.east && x && box.x.end() == grid_.shape.nx) ||
-           (sides.south && y && box.y.first == 0) || (sides.north && y && box.y.end() == grid_.shape.ny);
-  });
 }
 
 // ---- one contact ----
 
-ContactParameters PlasticContact::Path::parameters_of(const PlasticTarget& target) const {
+ContactParameters PlasticContact::parameters_of(const PlasticTarget& target) const {
   ContactParameters out = contact_parameters_;
   out.load = target.approach ? 0 : target.load;
   out.approach = target.approach;
   out.tolerance = std::min(out.tolerance, std::max(of_residual * last_residual_, tightest_contact));
-  out.start = (contact.pressure > 0).any() ? contact.pressure : Field();
+  out.start = (contact_.pressure > 0).any() ? contact_.pressure : Field();
   return out;
 }
 
-Contact PlasticContact::Path::untouched(const Field& gap, std::optional<double> approach) const {
+Contact PlasticContact::untouched(const Field& gap, std::optional<double> approach) const {
   Contact out;
   out.approach = approach.value_or(gap.minCoeff());
   out.pressure = out.displacement = Field::Zero(gap.rows(), gap.cols());
@@ -163,51 +153,47 @@ Contact PlasticContact::Path::untouched(const Field& gap, std::optional<double> 
 }
 
 // With the displacement that the strain leaves in the box.
-void PlasticContact::Path::solve(const PlasticTarget& target, const Field& displaced) {
+void PlasticContact::solve(const PlasticTarget& target, const Field& displaced) {
   Field gap = gap_;
-  if (displaced.size() > 0) gap.block(box.x.first, box.y.first, box.x.count, box.y.count) += displaced;
+  if (displaced.size() > 0) box_.of(gap) += displaced;
   const bool pressed = target.approach ? *target.approach > gap.minCoeff() : target.load > 0;
-  if (pressed)
-    contact = solve_contact(grid_, std::move(gap), influence_, parameters_of(target));
-  else
-    contact = untouched(gap, target.approach);
-  convolutions += contact.convolutions;
+  contact_ = pressed ? solve_contact(grid_, std::move(gap), influence_, parameters_of(target))
+                     : untouched(gap, target.approach);
+  convolutions_ += contact_.convolutions;
 }
 
 // ---- the path ----
 
-PlasticTarget PlasticContact::Path::between(const PlasticTarget& target, double begin, double part) const {
+PlasticTarget PlasticContact::between(const PlasticTarget& target, double begin, double part) const {
   if (part == 1) return target;
   if (target.approach) return {0, begin + part * (*target.approach - begin)};
   return {begin + part * (target.load - begin), {}};
 }
 
-void PlasticContact::Path::go_to(const PlasticTarget& target, int increments) {
-  if (flowing_bodies.empty()) choose_box(target);
-  if (flowing_bodies.empty()) return solve(target, {});
+void PlasticContact::go_to(const PlasticTarget& target, int increments) {
+  if (flowing_.empty()) choose_box(target);
+  if (flowing_.empty()) return solve(target, {});
   if (!flowed_) load_elastically(target);
-  const double begin = target.approach ? contact.approach : contact.load,
+  const double begin = target.approach ? contact_.approach : contact_.load,
                end = target.approach.value_or(target.load);
-  for (int n = 1; n <= increments && reason.empty(); ++n) {
+  for (int n = 1; n <= increments && converged(); ++n) {
     increment(between(target, begin, static_cast<double>(n) / increments), end > begin && n > 1);
     if (parameters_.progress) parameters_.progress(n, increments);
   }
 }
 
-// Von Mises over yield stress under the present pressure, before anything has flown.
-double PlasticContact::Path::yield_share() {
-  const Field p = contact.pressure.block(box.x.first, box.y.first, box.x.count, box.y.count);
+double PlasticContact::yield_share() {
   double out = 0;
-  for (auto& body : flowing_bodies) {
+  for (auto& body : flowing_) {
     body->begin();
     body->displaced({});
-    out = std::max(out, body->respond(p, {}, {}));
+    out = std::max(out, body->respond(box_.of(contact_.pressure), {}, {}));
   }
   return out;
 }
 
 // To just before something yields.
-void PlasticContact::Path::load_elastically(const PlasticTarget& target) {
+void PlasticContact::load_elastically(const PlasticTarget& target) {
   const double begin = target.approach ? gap_.minCoeff() : 0,
                exponent = target.approach ? stress_with_approach : stress_with_load;
   double part = 1, low = 0, low_share = 0, high = 0, high_share = 0;
@@ -223,39 +209,47 @@ void PlasticContact::Path::load_elastically(const PlasticTarget& target) {
     part = std::min(from * std::pow(aimed_share / from_share, 1 / power), 1.0);
   }
   if (low > 0) return solve(between(target, begin, low), {});
-  contact = untouched(gap_);
+  contact_ = untouched(gap_);
 }
 
-void PlasticContact::Path::increment(const PlasticTarget& target, bool goes_on) {
-  const Contact before = contact;
+// Again in a larger box, while the contact, or what flows, reaches a side of it.
+void PlasticContact::increment(const PlasticTarget& target, bool goes_on) {
+  const Contact before = contact_;
   displaced_ = {};
   for (int trial = 0; trial < most_enlargements; ++trial, goes_on = false) {
     const bool solved = flow(target, goes_on);
-    const BoxSides sides = reached();
-    const PlasticBox larger = grown(box, sides, grid_);
-    if (larger == box || !solved || trial + 1 == most_enlargements) {
-      at_side = at_side || flows_at_side();
-      if (!solved && reason.empty())
-        reason = fmt::format("the flow has a residual of {:.1e} after {} evaluations", last_residual_,
-                             parameters_.max_evaluations);
-      if (!(contact.residual <= contact_parameters_.tolerance) && reason.empty()) reason = contact.reason;
-      residual = std::max(residual, last_residual_);
-      each_share(std::span<const double>(changed_),
-                 [](FlowingBody& body, auto share) { body.commit(share); });
-      flowed_ = true;
-      return;
-    }
-    parameters_.check(larger, std::ssize(flowing_bodies));
-    for (auto& body : flowing_bodies) body = std::make_unique<FlowingBody>(grid_, larger, *body, box);
-    box = larger;
-    contact = before;
+    Reach reach = flow_reached();
+    const auto [x, y] = extents(contact_.pressure, [](double p) { return p > 0; });
+    reach.add(x, y);
+    const PlasticBox larger = grown(box_, reach, grid_);
+    if (larger == box_ || !solved || trial + 1 == most_enlargements) return commit(solved);
+    parameters_.check(larger, std::ssize(flowing_));
+    for (auto& body : flowing_) body = std::make_unique<FlowingBody>(grid_, larger, *body, box_);
+    box_ = larger;
+    contact_ = before;
   }
 }
 
+void PlasticContact::commit(bool solved) {
+  const auto [x, y, layers] = flow_reached();
+  auto at_side = [](Extent e, Index cells) { return e.count > 0 && (e.first == 0 || e.end() == cells); };
+  reaches_side_ = reaches_side_ || (!grid_.periodic.x && at_side(x, grid_.shape.nx)) ||
+                  (!grid_.periodic.y && at_side(y, grid_.shape.ny));
+  if (!solved && converged())
+    reason_ = fmt::format("the flow has a residual of {:.1e} after {} evaluations", last_residual_,
+                          parameters_.max_evaluations);
+  if (!(contact_.residual <= contact_parameters_.tolerance) && converged()) reason_ = contact_.reason;
+  residual_ = std::max(residual_, last_residual_);
+  each_share([&](FlowingBody& body, std::size_t first, std::size_t count) {
+    body.commit(std::span(changed_).subspan(first, count));
+  });
+  flowed_ = true;
+}
+
 // The fixed point, with all unknowns that it takes; whether it has been reached.
-bool PlasticContact::Path::flow(const PlasticTarget& target, bool goes_on) {
+bool PlasticContact::flow(const PlasticTarget& target, bool goes_on) {
   std::vector<double> u;
-  for (auto& body : flowing_bodies) {
+  for (auto& body : flowing_) {
     const std::vector<double> former = body->former(goes_on ? 1 : 0);
     u.insert(u.end(), former.begin(), former.end());
   }
@@ -267,10 +261,10 @@ bool PlasticContact::Path::flow(const PlasticTarget& target, bool goes_on) {
     evaluate(target, x, g);
     changed_.assign(g.begin(), g.end());
   };
-  const int before = evaluations;
+  const int before = evaluations_;
   for (int round = 0; round < most_enlargements; ++round) {
     extend(u);
-    const int left = parameters_.max_evaluations - (evaluations - before);
+    const int left = parameters_.max_evaluations - (evaluations_ - before);
     if (left <= 0) return false;
     const FixedPoint found =
         solve_fixed_point(map, u, scale(), {parameters_.tolerance, parameters_.depth, left});
@@ -281,85 +275,57 @@ bool PlasticContact::Path::flow(const PlasticTarget& target, bool goes_on) {
 }
 
 // With zeros for the cells that may flow by the last evaluation.
-void PlasticContact::Path::extend(std::vector<double>& unknowns) {
+void PlasticContact::extend(std::vector<double>& unknowns) {
   std::vector<double> out;
-  std::size_t first = 0;
-  for (auto& body : flowing_bodies) {
-    const std::size_t count = size(body->unknowns());
-    out.insert(out.end(), unknowns.begin() + std::ptrdiff_t(first),
-               unknowns.begin() + std::ptrdiff_t(first + count));
-    first += count;
-    out.resize(out.size() + size(body->add_points(may_flow) * deviator::components));
-  }
+  each_share([&](FlowingBody& body, std::size_t first, std::size_t count) {
+    const auto own = unknowns.begin() + static_cast<std::ptrdiff_t>(first);
+    out.insert(out.end(), own, own + static_cast<std::ptrdiff_t>(count));
+    out.resize(out.size() + size(body.add_points(may_flow) * deviator::components));
+  });
   unknowns = std::move(out);
 }
 
-void PlasticContact::Path::evaluate(const PlasticTarget& target, std::span<const double> unknowns,
-                                    std::span<double> out) {
-  Field displaced = Field::Zero(box.x.count, box.y.count);
-  each_share(unknowns, [&](FlowingBody& body, auto share) { displaced += body.displaced(share); });
+void PlasticContact::evaluate(const PlasticTarget& target, std::span<const double> unknowns,
+                              std::span<double> out) {
+  Field displaced = Field::Zero(box_.x.count, box_.y.count);
+  each_share([&](FlowingBody& body, std::size_t first, std::size_t count) {
+    displaced += body.displaced(unknowns.subspan(first, count));
+  });
   solve(target, displaced);
-  const Field p = contact.pressure.block(box.x.first, box.y.first, box.x.count, box.y.count);
+  const Field p = box_.of(contact_.pressure);
   largest_ = 0;
-  std::size_t first = 0;
-  each_share(unknowns, [&](FlowingBody& body, auto share) {
-    largest_ = std::max(largest_, body.respond(p, share, out.subspan(first, share.size())));
-    first += share.size();
+  each_share([&](FlowingBody& body, std::size_t first, std::size_t count) {
+    largest_ = std::max(largest_, body.respond(p, unknowns.subspan(first, count), out.subspan(first, count)));
   });
   const std::vector<double> scales = scale();
   last_residual_ = 0;
   for (std::size_t i = 0; i < out.size(); ++i)
     last_residual_ = std::max(last_residual_, scales[i] * std::abs(out[i] - unknowns[i]));
-  ++evaluations;
+  ++evaluations_;
 }
 
-std::vector<double> PlasticContact::Path::scale() const {
+std::vector<double> PlasticContact::scale() {
   std::vector<double> out;
-  for (const auto& body : flowing_bodies) {
-    out.resize(out.size() + size(body->unknowns()));
-    body->set_scale(std::span(out).last(size(body->unknowns())));
-  }
+  each_share([&](FlowingBody& body, std::size_t first, std::size_t count) {
+    out.resize(first + count);
+    body.set_scale(std::span(out).subspan(first));
+  });
   return out;
 }
 
-// Computed once for each state.
-Field PlasticContact::Path::displacement(std::size_t of) {
+Field PlasticContact::displacement(std::size_t of) {
   const std::optional<Index> n = flowing(of);
-  if (!n || flowing_bodies.empty()) return Field::Zero(grid_.shape.nx, grid_.shape.ny);
-  FlowingBody& body = *flowing_bodies[size(*n)];
+  if (!n) return Field::Zero(grid_.shape.nx, grid_.shape.ny);
+  FlowingBody& body = *flowing_[size(*n)];
   Field& known = displaced_[size(*n)];
   if (known.size() > 0) return known;
   body.begin();
-  if (box.x.count == grid_.shape.nx && box.y.count == grid_.shape.ny)
+  if (box_.x.count == grid_.shape.nx && box_.y.count == grid_.shape.ny)
     known = body.displaced({}) / body.alike();
   else
-    known = surface_displacement(grid_, box.x.first, box.y.first, box.edges, body.material().poisson,
+    known = surface_displacement(grid_, box_.x.first, box_.y.first, box_.edges, body.material().poisson,
                                  body.strain(), contact_parameters_.threads);
   return known;
 }
-
-// ---- what is seen of it ----
-
-PlasticContact::PlasticContact(const Grid& grid, Field undeformed_gap, const Bodies& bodies,
-                               ElasticOperator& influence, ContactParameters contact,
-                               PlasticParameters parameters)
-    : path_(std::make_unique<Path>(grid, std::move(undeformed_gap), bodies, influence, std::move(contact),
-                                   std::move(parameters))) {}
-PlasticContact::~PlasticContact() = default;
-
-void PlasticContact::go_to(const PlasticTarget& target, int increments) { path_->go_to(target, increments); }
-const Contact& PlasticContact::contact() const { return path_->contact; }
-const PlasticBox& PlasticContact::box() const { return path_->box; }
-std::optional<Index> PlasticContact::flowing(std::size_t body) const {
-  return path_->flowing_bodies.empty() ? std::nullopt : path_->flowing(body);
-}
-FlowingBody& PlasticContact::body(Index flowing) { return *path_->flowing_bodies[size(flowing)]; }
-Field PlasticContact::displacement(std::size_t body) const { return path_->displacement(body); }
-int PlasticContact::evaluations() const { return path_->evaluations; }
-double PlasticContact::convolutions() const { return path_->convolutions; }
-double PlasticContact::residual() const { return path_->residual; }
-bool PlasticContact::converged() const { return path_->reason.empty(); }
-std::string PlasticContact::reason() const { return path_->reason; }
-bool PlasticContact::reaches_side() const { return path_->at_side; }
 
 }  // namespace asperity

@@ -75,29 +75,73 @@ class PlasticContact {
   /// As solve_contact throws, and PlasticParameters::check.
   PlasticContact(const Grid& grid, Field undeformed_gap, const Bodies& bodies, ElasticOperator& influence,
                  ContactParameters contact, PlasticParameters parameters);
-  ~PlasticContact();
 
   /// From the present load to this one; the box of the bodies that flows is chosen at the first call, for the
   /// load that comes next, and grown later.
   void go_to(const PlasticTarget& target, int increments);
 
-  const Contact& contact() const;  ///< under the present load
-  const PlasticBox& box() const;   ///< without layers while nothing has flown
+  const Contact& contact() const { return contact_; }  ///< under the present load
+  const PlasticBox& box() const { return box_; }       ///< without layers while nothing has flown
   /// Which of body() body 0 or 1 is: bodies of one material are one. None: it is elastic.
   std::optional<Index> flowing(std::size_t body) const;
-  FlowingBody& body(Index flowing);
-  /// u of body 0 or 1, on the whole grid [m].
-  Field displacement(std::size_t body) const;
-  int evaluations() const;      ///< of F so far
-  double convolutions() const;  ///< of the contact so far
-  double residual() const;      ///< the largest of (2) so far
-  bool converged() const;       ///< every increment
-  std::string reason() const;   ///< why the first has not
-  bool reaches_side() const;    ///< what flows has reached a free side of the domain
+  FlowingBody& body(Index flowing) { return *flowing_[size(flowing)]; }
+  /// u of body 0 or 1, on the whole grid [m]; computed once for each load.
+  Field displacement(std::size_t body);
+  /// The largest von Mises stress over the flow stress under the present load.
+  double yield_share();
+  int evaluations() const { return evaluations_; }       ///< of F so far
+  double convolutions() const { return convolutions_; }  ///< of the contact so far
+  double residual() const { return residual_; }          ///< the largest of (2) so far
+  bool converged() const { return reason_.empty(); }     ///< every increment
+  const std::string& reason() const { return reason_; }  ///< why the first has not
+  bool reaches_side() const { return reaches_side_; }    ///< what flows has reached a free side
 
  private:
-  class Path;
-  std::unique_ptr<Path> path_;
+  bool flows(std::size_t body) const { return materials_[body].hardening.flows(); }
+  bool alike() const { return materials_[0] == materials_[1]; }
+  void choose_box(const PlasticTarget& target);
+  void check_borne(const PlasticTarget& target, double yield) const;
+  Reach flow_reached() const;
+  ContactParameters parameters_of(const PlasticTarget& target) const;
+  Contact untouched(const Field& gap, std::optional<double> approach = {}) const;
+  void solve(const PlasticTarget& target, const Field& displaced);
+  PlasticTarget between(const PlasticTarget& target, double begin, double part) const;
+  void load_elastically(const PlasticTarget& target);
+  void increment(const PlasticTarget& target, bool goes_on);
+  void commit(bool solved);
+  bool flow(const PlasticTarget& target, bool goes_on);
+  void extend(std::vector<double>& unknowns);
+  void evaluate(const PlasticTarget& target, std::span<const double> unknowns, std::span<double> out);
+  std::vector<double> scale();
+  /// use(body, the first of its unknowns, their number), in order.
+  template <class Use>
+  void each_share(Use use) {
+    std::size_t first = 0, count = 0;
+    for (auto& body : flowing_) {
+      use(*body, first, count = size(body->unknowns()));
+      first += count;
+    }
+  }
+
+  const Grid grid_;
+  const Field gap_;
+  ElasticOperator& influence_;
+  ContactParameters contact_parameters_;
+  PlasticParameters parameters_;
+  std::array<PlasticMaterial, 2> materials_;
+
+  Contact contact_;
+  PlasticBox box_;
+  std::vector<std::unique_ptr<FlowingBody>> flowing_;
+  std::vector<double> changed_;  ///< D' of the last evaluation
+  double largest_ = 0;           ///< von Mises over flow stress where it is no unknown, likewise
+  double last_residual_ = 1;
+  bool flowed_ = false;
+  std::array<Field, 2> displaced_;  ///< of the flowing bodies, on the whole grid, or empty
+  int evaluations_ = 0;
+  double convolutions_ = 0, residual_ = 0;
+  bool reaches_side_ = false;
+  std::string reason_;
 };
 
 }  // namespace asperity

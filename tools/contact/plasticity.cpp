@@ -51,7 +51,7 @@ struct LoadedState {
   }
 };
 
-LoadedState state_of(const PlasticContact& path) {
+LoadedState state_of(PlasticContact& path) {
   const Contact& c = path.contact();
   return {c.max_pressure, c.load, c.approach,
           std::max(path.displacement(0).maxCoeff(), path.displacement(1).maxCoeff())};
@@ -233,7 +233,7 @@ void go_on(Flow& flow, const PlasticOptions& options, double load, double greate
 // ---- the record ----
 
 void record_flow(Attributes& a, const PlasticOptions& options, const Flow& flow) {
-  const PlasticContact& path = *flow.path;
+  PlasticContact& path = *flow.path;
   a.set("contact_plasticity", options.model);
   a.set_values("contact_yield", std::vector<double>(options.yield.begin(), options.yield.end()));
   a.set("contact_hardening", options.hardening());
