@@ -70,7 +70,7 @@ std::vector<double> graded_layers(double depth, double first, Index layers) {
   return out;
 }
 
-void Reach::add(Extent in_x, Extent in_y, Index to_layer) {
+void FlowReach::add(Extent in_x, Extent in_y, Index to_layer) {
   x = of_both(x, in_x);
   y = of_both(y, in_y);
   layers = std::max(layers, to_layer);
@@ -82,7 +82,7 @@ PlasticBox yielding_box(const Grid& grid, const Field& pressure, double poisson,
   std::vector<double> depths;
   for (double z = first_scan * cell; z < deepest; z *= scan_ratio) depths.push_back(z);
   const auto [x, y] = extents(pressure, [](double p) { return p > 0; });
-  Reach reach{x, y};
+  FlowReach reach{x, y};
   const YieldingRows found = yielding_rows({grid, pressure, poisson}, depths, yield, threads);
   for (Index l = 0; l < std::ssize(found); ++l)
     for (Index i = 0; i < grid.shape.nx; ++i)
@@ -95,7 +95,7 @@ PlasticBox yielding_box(const Grid& grid, const Field& pressure, double poisson,
           graded_layers(depth, cell * (at_surface ? at_asperities : in_the_bulk), layers)};
 }
 
-PlasticBox grown(const PlasticBox& box, const Reach& reached, const Grid& grid) {
+PlasticBox grown(const PlasticBox& box, const FlowReach& reached, const Grid& grid) {
   auto more = [](Extent e, Extent of, Index cells, bool periodic) {
     return of.count == 0 ? e : widened(e, of.first <= e.first, of.end() >= e.end(), cells, periodic);
   };

@@ -42,7 +42,7 @@ PlasticBox yielding_box(const Grid& grid, const Field& pressure, double poisson,
                         int threads = 1);
 
 /// The cells of the grid that something takes, and the layers, down to the deepest.
-struct Reach {
+struct FlowReach {
   Extent x, y;
   Index layers = 0;
 
@@ -51,6 +51,6 @@ struct Reach {
 };
 
 /// The same box with more cells at the sides that are reached, and another quarter of its depth.
-PlasticBox grown(const PlasticBox& box, const Reach& reached, const Grid& grid);
+PlasticBox grown(const PlasticBox& box, const FlowReach& reached, const Grid& grid);
 
 }  // namespace asperity

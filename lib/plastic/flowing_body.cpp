@@ -188,8 +188,8 @@ void FlowingBody::commit(std::span<const double> unknowns) {
   }
 }
 
-Reach FlowingBody::reached() const {
-  Reach out;
+FlowReach FlowingBody::reached() const {
+  FlowReach out;
   const auto [cells, ny] = std::pair(grid_.shape.cells(), grid_.shape.ny);
   for (std::size_t n = 0; n < points_.size(); ++n)
     if (const Index layer = points_[n] / cells, cell = points_[n] % cells; gamma_[n] > 0)

@@ -69,7 +69,7 @@ class FlowingBody {
   /// Adds the D' of the last evaluation to the strain.
   void commit(std::span<const double> unknowns);
   /// What flows by the last evaluation, in cells of the box.
-  Reach reached() const;
+  FlowReach reached() const;
 
  private:
   void restore();

@@ -118,10 +118,10 @@ void PlasticContact::check_borne(const PlasticTarget& target, double yield) cons
                                    target.load, most));
 }
 
-Reach PlasticContact::flow_reached() const {
-  Reach out;
+FlowReach PlasticContact::flow_reached() const {
+  FlowReach out;
   for (const auto& body : flowing_) {
-    Reach own = body->reached();
+    FlowReach own = body->reached();
     own.x.first += box_.x.first;
     own.y.first += box_.y.first;
     out.add(own.x, own.y, own.layers);
@@ -218,7 +218,7 @@ void PlasticContact::increment(const PlasticTarget& target, bool goes_on) {
   displaced_ = {};
   for (int trial = 0; trial < most_enlargements; ++trial, goes_on = false) {
     const bool solved = flow(target, goes_on);
-    Reach reach = flow_reached();
+    FlowReach reach = flow_reached();
     const auto [x, y] = extents(contact_.pressure, [](double p) { return p > 0; });
     reach.add(x, y);
     const PlasticBox larger = grown(box_, reach, grid_);

@@ -101,7 +101,7 @@ class PlasticContact {
   bool alike() const { return materials_[0] == materials_[1]; }
   void choose_box(const PlasticTarget& target);
   void check_borne(const PlasticTarget& target, double yield) const;
-  Reach flow_reached() const;
+  FlowReach flow_reached() const;
   ContactParameters parameters_of(const PlasticTarget& target) const;
   Contact untouched(const Field& gap, std::optional<double> approach = {}) const;
   void solve(const PlasticTarget& target, const Field& displaced);
