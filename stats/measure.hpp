@@ -31,15 +31,21 @@ struct Direction {
   std::string text;  ///< as given: "30deg"
 };
 
+struct MaterialHeight {
+  double value;      ///< above the mean, in the unit of the field
+  std::string text;  ///< as given: "0.5um"
+};
+
 struct MeasureOptions {
   std::set<Group> groups{Group::height};
   Preparation preparation = {};
-  std::vector<double> quantiles = {};               ///< shares of the surface below the heights
-  std::array<double, 2> material_ratios{0.1, 0.8};  ///< p, q, the bounds of the core
-  double sal_level = 0.2;                           ///< of ρ, for Sal and Str
-  std::optional<Direction> direction = {};          ///< for further spectral moments
-  Pruning pruning = {};                             ///< of hills and dales
-  Axis1D profiles = Axis1D::x;                      ///< axis of the profiles
+  std::vector<double> quantiles = {};                 ///< shares of the surface below the heights
+  std::array<double, 2> material_ratios{0.1, 0.8};    ///< p, q, the bounds of the core
+  std::vector<MaterialHeight> material_heights = {};  ///< c of Smr(c)
+  double sal_level = 0.2;                             ///< of ρ, for Sal and Str
+  std::optional<Direction> direction = {};            ///< for further spectral moments
+  Pruning pruning = {};                               ///< of hills and dales
+  Axis1D profiles = Axis1D::x;                        ///< axis of the profiles
   int threads = 1;
 };
 

@@ -71,12 +71,13 @@ void drop_errors(Parameters& all) {
   }
 }
 
-Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, const MeasureOptions& asked,
+Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, MeasureOptions asked,
                   const cli::EnsembleMember& member) {
   const cli::FieldOptions& field = options.field;
   if (member.alone()) tool.detail(member.name);
   if (const auto part = cli::counted_cells(member.data, field.variable)) tool.note(part->words_for_all());
   Surface surface = field.read_flat(tool, member.data);
+  asked.material_heights = options.heights_in(surface.units);
   if (surface.flat) {
     Measured out;
     for (const Group group : asked.groups)

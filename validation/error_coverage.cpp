@@ -98,6 +98,7 @@ Parameters measured(const Field& heights, int degree, bool spectra) {
   options.groups = {Group::height,  Group::quantiles, Group::material, Group::hybrid,
                     Group::spatial, Group::profiles,  Group::feature};
   options.quantiles = {0.02, 0.5, 0.9};
+  options.material_heights = {{-micrometre, "-1um"}, {0.5 * micrometre, "0.5um"}, {2 * micrometre, "2um"}};
   options.pruning = {0.3 * micrometre, false};
   const Surface surface = prepared({grid, micrometre * heights}, {.form = {.degree = degree}});
   const Sample sample(surface);

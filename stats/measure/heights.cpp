@@ -244,10 +244,8 @@ struct Material {
   // Of two heights.
   Estimate fall(const std::array<double, 2>& of_ratios, double value, const WaveError& of) const {
     if (of_ratios[0] == of_ratios[1]) return {.value = 0, .why = "no standard error: p and q are the same"};
-    if (sample.size().gives_errors() &&
-        sample.extent().patches * std::min(of_ratios[0], 1 - of_ratios[1]) < 1)
-      return {.value = value, .why = "no standard error: less than one independent height lies beyond it"};
-    return length(value, of);
+    const std::string why = few_beyond(sample, std::min(of_ratios[0], 1 - of_ratios[1]));
+    return why.empty() ? length(value, of) : Estimate{.value = value, .why = why};
   }
   static Estimate share(double value, const WaveError& of) {
     if (!(of.error > 0)) return {value};
@@ -382,6 +380,9 @@ Parameters material_parameters(const Sample& sample, const MeasureOptions& optio
   out.add("Smc_q", of_field, "inverse material ratio at {}", inverse[1],
           {.meaning = shortest(q), .why_no_error = equal_heights});
   out.add(fall_table, of, words);
+  for (const auto& [c, text] : options.material_heights)
+    out.add("Smr_{}", "1", "material ratio at {} above the mean", share_above(sample, curve, c),
+            {.symbol = text, .meaning = text, .why_no_error = equal_heights});
   out.add(volume_table, of, words);
   return std::move(out).with_known_errors(sample.size());
 }

@@ -63,8 +63,9 @@ Parameters measure_flat(const Surface& flat, Group group, const MeasureOptions& 
     if (!std::isfinite(p.value)) continue;
     p.why.clear();
     if (p.name == "mean" || p.name == "N" || p.name == "N_missing" || p.name == "profiles") continue;
-    const bool of_summits = p.name.starts_with("summit_") || p.name.starts_with("nayak_") || p.unit == "m-1";
-    p.value = !of_summits && std::abs(twice[i].value) > std::abs(p.value) ? 0 : unknown;
+    const bool has_none = p.name.starts_with("summit_") || p.name.starts_with("nayak_") || p.unit == "m-1" ||
+                          p.name.starts_with("Smr_");
+    p.value = !has_none && std::abs(twice[i].value) > std::abs(p.value) ? 0 : unknown;
     if (std::isnan(p.value)) p.why = "no value: the surface is flat";
   }
   return out;

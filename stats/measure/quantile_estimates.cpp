@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stats/height/distribution.hpp"
 #include "stats/height/material_ratio.hpp"
 #include "stats/sample/quantiles.hpp"
 
 namespace asperity {
 namespace {
-
-constexpr double least_beyond = 1;  // independent heights
 
 // Of heights that the form has lowered by the factor `left`.
 Interval freed(double height, double left, double low, double high) {
@@ -51,6 +50,14 @@ class FormSmear {
 
 }  // namespace
 
+std::string few_beyond(const Sample& sample, double share) {
+  constexpr double least = 1;
+  const bool few = sample.extent().patches * std::min(share, 1 - share) < least;
+  return few && sample.size().gives_errors()
+             ? "no standard error: less than one independent height lies beyond it"
+             : "";
+}
+
 std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector<double>& shares,
                                          const std::vector<double>& heights, Origin origin) {
   std::vector<Estimate> out;
@@ -85,11 +92,8 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
       origin == Origin::own_mean ? std::optional<FormSmear>(sample) : std::nullopt;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     out.push_back({heights[k]});
-    if (sample.size().gives_errors() &&
-        sample.extent().patches * std::min(shares[k], 1 - shares[k]) < least_beyond) {
-      out[k].why = "no standard error: less than one independent height lies beyond it";
-      continue;
-    }
+    out[k].why = few_beyond(sample, shares[k]);
+    if (!out[k].why.empty()) continue;
     const double apart = near[2 * k + 1] - near[2 * k], share = width[k];
     if (!(apart > 0 && share > 0)) continue;  // as of heights of two values
     const double density = origin == Origin::own_mean ? 2 * share / apart : 0,
@@ -108,6 +112,27 @@ std::vector<Estimate> quantile_estimates(const Sample& sample, const std::vector
     out[k].interval = Interval::of(heights[k], std::min(heights[k], freed_height - reach(below)),
                                    std::max(heights[k], freed_height + reach(above)));
   }
+  return out;
+}
+
+Estimate share_above(const Sample& sample, const MaterialRatioCurve& curve, double c) {
+  const Moments& m = sample.moments();
+  const double level = m.mean + c, share = curve.ratio(level);
+  Estimate out{.value = share, .why = few_beyond(sample, share)};
+  if (!sample.needs_errors() || !out.why.empty()) return out;
+  // Of classes on either side, each at most half an error of the mean wide, which is Sq/√N_eff at least.
+  const double reach = std::max(m.sp - c, m.sv + c),
+               width = 0.5 * m.sq / std::sqrt(std::max(sample.extent().patches, 1.0));
+  const auto half = static_cast<Index>(std::clamp(std::ceil(reach / width), 1.0, 1e4));
+  const HeightClasses classes(sample.surface().heights, sample.grid(), sample.extent(),
+                              {level - reach, level + reach, 2 * half}, true);
+  ShareErrors::Function above(classes.errors());
+  for (Index b = half; b < 2 * half; ++b) above.add(b, 1);
+  std::vector<Frequency> of{classes.frequency(
+      above, share * sample.size().points(), [&](double delta) { return 1 - classes.below(level + delta); })};
+  of[0].value = share;
+  set_intervals(of, 1);
+  out.standard_error = of[0].error, out.interval = of[0].interval;
   return out;
 }
 

@@ -72,6 +72,7 @@ Sample sample_of_law(const Law& law, unsigned seed) {
 MeasureOptions asked() {
   MeasureOptions out;
   out.quantiles = {0.05, 0.5, 0.9};
+  out.material_heights = {{-1, "-1"}, {0.5, "0.5"}};
   return out;
 }
 
@@ -160,7 +161,9 @@ const Estimator moments_of{group_of<Group::height>, {"mean", "Sa", "Sq", "Ssk", 
     curvatures{group_of<Group::hybrid>,
                {"Sdr", "m4_y", "alpha_x", "summit_density", "summit_curvature", "summit_height"}},
     decays{group_of<Group::spatial>, {"Sal", "slowest_decay"}},
-    profiles_of{group_of<Group::profiles>, {"Pa", "Pq", "Pz", "Pdq", "PSm", "Pq_spread", "PSm_spread"}},
+    profiles_of{group_of<Group::profiles>,
+                {"Pa", "Pq", "Pz", "Pdq", "PSm", "Pc", "Pk", "Ppk", "Pmr1", "Pmc_q", "P5p", "Pq_spread",
+                 "PSm_spread"}},
     of_lags{lags, {"rho 1 0", "rho 3 0", "rho 0 2", "rho 2 -2", "rho 20 0", "length_30_x", "length_30_y"}},
     of_spectra{spectra, {}}, of_shares{shares, {}}, of_misfits{misfits, {}};
 
@@ -168,10 +171,16 @@ const Estimator moments_of{group_of<Group::height>, {"mean", "Sa", "Sq", "Ssk", 
 
 // Of the Gaussian law of variance 1; NaN where there is no closed form.
 double truth_of(const std::string& name) {
-  const std::map<std::string, double> of{{"mean", 0},         {"Sa", std::sqrt(2 / std::numbers::pi)},
-                                         {"Sq", 1},           {"Ssk", 0},
-                                         {"Sku", 3},          {"quantile_0.05", gsl_cdf_ugaussian_Pinv(0.05)},
-                                         {"quantile_0.5", 0}, {"quantile_0.9", gsl_cdf_ugaussian_Pinv(0.9)}};
+  const std::map<std::string, double> of{{"Smr_-1", gsl_cdf_ugaussian_Q(-1)},
+                                         {"Smr_0.5", gsl_cdf_ugaussian_Q(0.5)},
+                                         {"mean", 0},
+                                         {"Sa", std::sqrt(2 / std::numbers::pi)},
+                                         {"Sq", 1},
+                                         {"Ssk", 0},
+                                         {"Sku", 3},
+                                         {"quantile_0.05", gsl_cdf_ugaussian_Pinv(0.05)},
+                                         {"quantile_0.5", 0},
+                                         {"quantile_0.9", gsl_cdf_ugaussian_Pinv(0.9)}};
   const auto found = of.find(name);
   return found != of.end() ? found->second : name.find("misfit") != name.npos ? 0 : NAN;
 }

@@ -242,3 +242,44 @@ TEST_CASE(
     CHECK(std::isnan(named(measure_flat(*flat->surface, Group::spatial, {}), "Sal").value));
   }
 }
+
+// Of the field's own mean: (i - 31.5)/64 above c > 0 are half of the points less c of their range, and the curve
+// from rank to rank is straight. Of two levels half the points lie above any c between them. Beyond all heights
+// less than one patch tells of a share.
+TEST_CASE("Smr(c) of a ramp is 1/2 - c/H, of two levels 1/2, turned over it is the rest, and a dash beyond",
+          "[measure][exact]") {
+  const auto smr = [](const Field& z, std::vector<MaterialHeight> heights) {
+    return measure(surface_of(z), {.groups = {Group::material}, .material_heights = std::move(heights)});
+  };
+  const Field ramp = Field::NullaryExpr(64, 60, [](Index i, Index) { return static_cast<double>(i) / 63; });
+  const Field noise = moving_average({64, 60}, {3, 2}, 403);
+  const Parameters of_ramp = smr(ramp, {{0.1, "a"}, {-0.3, "b"}}),
+                   up = smr(noise, {{0.5, "a"}, {0.5001, "b"}, {99, "c"}, {-99, "d"}}),
+                   down = smr(-noise, {{-0.5, "a"}, {0.2, "b"}});
+  CHECK(named(of_ramp, "Smr_a").value == Approx(0.4).margin(1.0 / 64));
+  CHECK(named(of_ramp, "Smr_b").value == Approx(0.8).margin(1.0 / 64));
+  const Field two = Field::NullaryExpr(64, 60, [](Index i, Index j) { return (i / 4 + j / 4) % 2; });
+  for (const char* name : {"Smr_a", "Smr_b"})
+    CHECK(std::abs(named(smr(two, {{0.1, "a"}, {-0.4, "b"}}), name).value - 0.5) <= 1 / 3839.0);
+  const Parameter &above = named(up, "Smr_a"), &below = named(down, "Smr_a");
+  CHECK(std::abs(above.value + below.value - 1) <= 1e-9);
+  CHECK(above.standard_error > 0);
+  CHECK(relative_error(above.standard_error, below.standard_error) <= 1e-6);
+  CHECK(above.value >= named(up, "Smr_b").value);
+  for (const auto& [name, share] : {std::pair{"Smr_c", 0}, {"Smr_d", 1}}) {
+    CHECK(named(up, name).value == share);
+    CHECK(std::isnan(named(up, name).standard_error));
+    CHECK_THAT(named(up, name).why, ContainsSubstring("less than one independent height"));
+  }
+}
+
+// What lies at u belongs to the core: nothing beyond it is no matter of equal heights.
+TEST_CASE("figures of peaks and pits that no height makes say so, and p = q makes no difference",
+          "[reasons][contract]") {
+  const Field clipped = moving_average({96, 96}, {3, 3}, 404).min(0.5);
+  const Parameters all =
+      measure(surface_of(clipped), {.groups = {Group::material}, .material_ratios = {0.4, 0.4}});
+  check_reason(all, {"Spk", "Spkx", "Sak1"}, "nothing lies beyond the core");
+  check_reason(all, {"Sdc"}, "p and q are the same");
+  for (const char* name : {"Spk", "Spkx", "Sak1", "Sdc"}) CHECK(named(all, name).value == 0);
+}

@@ -83,6 +83,7 @@ TEST_CASE("asperity-stats refuses groups and shares it does not know, and slopes
   const Json all =
       Json::parse(shell("asperity-stats pressed.nc --variable pressure --parameters material --json").out);
   CHECK(all["Sk"]["unit"] == "Pa");
+  CHECK(all["Sdc"]["unit"] == "Pa");
 }
 
 TEST_CASE("a plane is taken off with --remove-form plane and the mean is reported either way",

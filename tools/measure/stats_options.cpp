@@ -1,6 +1,7 @@
 #include "tools/measure/stats_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/words.hpp"
 #include "tools/cli/quantity.hpp"
@@ -89,6 +90,9 @@ void StatsOptions::declare(Tool& tool) {
       "Material ratios p,q that bound the core; for Vmp, Vmc, Vvc, Vvv, Smc_p, Smc_q and Sdc. With p = q Vmp "
       "and Vvv are Vm(p) and Vv(p)",
       "Parameters");
+  tool.text("--material-height", material_heights, "C,...",
+            "Heights above the mean at which the material ratio is printed, Smr(c): 0.5um,-1um",
+            "Parameters");
   pruning_option(tool, pruning, "Parameters");
   tool.number("--sal-level", measured.sal_level, "Level of R / R(0,0) that defines Sal and Str",
               "Parameters");
@@ -120,6 +124,18 @@ MeasureOptions StatsOptions::checked(const Tool& tool) const {
   return out;
 }
 
+std::vector<MaterialHeight> StatsOptions::heights_in(const std::string& unit) const {
+  std::vector<MaterialHeight> out;
+  if (material_heights.empty()) return out;
+  for (const std::string& word : split(material_heights, ',')) {
+    if (std::ranges::find(out, word, &MaterialHeight::text) != out.end())
+      refuse("material-height", word, "is given twice");
+    out.push_back({parse_quantity("material-height", word, unit), word});
+    if (!std::isfinite(out.back().value)) refuse("material-height", word, "is no height");
+  }
+  return out;
+}
+
 std::set<Group> StatsOptions::asked_groups() const {
   std::set<Group> out;
   for (const std::string& word : groups)
@@ -129,16 +145,18 @@ std::set<Group> StatsOptions::asked_groups() const {
 }
 
 void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& asked) const {
-  for (const char* areal : {"parameters", "quantiles", "sal-level", "pruning", "direction"})
+  for (const char* areal :
+       {"parameters", "quantiles", "material-height", "sal-level", "pruning", "direction"})
     if (!profile.empty() && tool.given(std::string("--") + areal))
       throw UsageError(areal, "cannot be combined with --profile");
   for (const auto& [option, group, name] : {std::tuple{"material-ratio", Group::material, "material"},
+                                            {"material-height", Group::material, "material"},
                                             {"sal-level", Group::spatial, "spatial"},
                                             {"pruning", Group::feature, "feature"},
                                             {"direction", Group::hybrid, "hybrid"}})
     if (tool.given(std::string("--") + option) && !asked.contains(group) && profile.empty())
       throw UsageError(option, std::string("needs --parameters ") + name +
-                                   (group == Group::material ? " or --profile" : ""));
+                                   (option == std::string("material-ratio") ? " or --profile" : ""));
 }
 
 }  // namespace asperity::cli

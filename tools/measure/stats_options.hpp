@@ -17,7 +17,7 @@ Pruning parse_pruning(const std::string& text);
 struct StatsOptions {
   FieldOptions field = {};
   std::vector<std::string> groups{"height"};
-  std::string quantiles = {}, direction = {}, pruning = "5%";
+  std::string quantiles = {}, direction = {}, pruning = "5%", material_heights = {};
   MeasureOptions measured = {};  ///< those that need no further parsing
   std::string errors = "theory";
   bool compare = false;      ///< the first surface with the others
@@ -26,6 +26,8 @@ struct StatsOptions {
   void declare(Tool& tool);
   /// Throws UsageError for unknown or repeated words, and for an option whose group is not requested.
   MeasureOptions checked(const Tool& tool) const;
+  /// Those of --material-height, of a field in this unit; throws ParameterError("material-height", …).
+  std::vector<MaterialHeight> heights_in(const std::string& unit) const;
 
  private:
   std::set<Group> asked_groups() const;
