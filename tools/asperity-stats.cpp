@@ -18,6 +18,7 @@ struct Measured {
   Grid grid = {};
   std::optional<EffectiveSampleSize> size = {};  ///< none of a flat one
   std::optional<MapSums> sums = {};              ///< of one of several, that is not flat
+  std::vector<MaterialHeight> heights = {};
   std::string missing = {}, doubt = {};  ///< why it has no hybrid parameters; what they are doubted for
 };
 
@@ -88,6 +89,7 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, Measu
   Measured out = measured(tool, field.variable, asked, sample, options.errors != "none");
   if (options.errors == "none") drop_errors(out.rows);
   if (!member.alone() && !options.compare) out.sums = map_sums(sample, out.rows, asked);
+  out.heights = asked.material_heights;
   return out;
 }
 
@@ -98,18 +100,20 @@ class Mean {
   void add(const Measured& one) {
     means_.add(one.rows);
     if (one.sums) pool_.add(*one.sums);
+    heights_ = one.heights;
   }
   const EnsembleParameters& of_estimates() const { return means_; }
   std::vector<EnsembleParameter> pooled(const Grid& grid) const {
     std::vector<EnsembleParameter> out = means_.all();
     if (pool_.maps() < means_.surfaces()) return out;
     const auto of_acf = [&](const LagField& rho) { return lobe_lengths(rho, grid, asked_.sal_level); };
-    take_pooled(out, pool_.all({asked_.quantiles, asked_.material_ratios, of_acf}), pool_.maps());
+    take_pooled(out, pool_.all({asked_.quantiles, asked_.material_ratios, heights_, of_acf}), pool_.maps());
     return out;
   }
 
  private:
   const MeasureOptions& asked_;
+  std::vector<MaterialHeight> heights_ = {};
   EnsembleParameters means_ = {};
   PooledMaps pool_ = {};
 };

@@ -124,6 +124,7 @@ void add_core(Parameters& out, const MaterialRatioCurve& curve, const PooledOpti
   add_row(out, "Sxp", curve.fall(sxp_ratios));
   add_row(out, "Vmp", volumes.vmp), add_row(out, "Vmc", volumes.vmc);
   add_row(out, "Vvc", volumes.vvc), add_row(out, "Vvv", volumes.vvv);
+  for (const auto& [c, text] : options.material_heights) add_row(out, "Smr_" + text, curve.ratio(c));
   for (const double share : options.quantiles)
     if (is_resolved(share)) add_row(out, "quantile_" + shortest(share), curve.quantile(share));
 }

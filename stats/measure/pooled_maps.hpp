@@ -84,6 +84,7 @@ MapSums map_sums(const Sample& sample, const Parameters& rows, const MeasureOpti
 struct PooledOptions {
   std::vector<double> quantiles = {};
   std::array<double, 2> material_ratios{0.1, 0.8};
+  std::vector<MaterialHeight> material_heights = {};
   /// Lengths of the pooled correlation.
   std::function<Parameters(const LagField& rho)> of_acf = {};
 };

@@ -113,6 +113,11 @@ TEST_CASE("pooled maps keep the height and the lengths that a removed form took 
   };
   CHECK(std::abs(t(all, "Sq", 1e-6)) <= 4);
   CHECK(std::abs(t(all, "Smc_p", 1.2815516e-6)) <= 4);
+  CHECK(std::abs(t(all, "Sxp", 1.9599640e-6)) <= 4);
+  // Of one curve, that of 500 heights a map: c(p) in six decimals passes one of them at most.
+  const std::string c = std::to_string(1e6 * value_in(all, "Smc_p", "mean")) + "um";
+  const Json ratio = json_of("asperity-stats --parameters material --material-height " + c + maps);
+  CHECK(std::abs(value_in(ratio, "Smr_" + c, "mean") - 0.1) <= 1 / 12499.0);
   CHECK(std::abs(t(all, "m0", 1e-12)) <= 4);
   const double at_e = 6e-6 / std::sqrt(std::log(10));
   CHECK(std::abs(t(lengths, "length_e_x", at_e)) <= 4);

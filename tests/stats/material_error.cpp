@@ -112,7 +112,7 @@ TEST_CASE("the core of feed marks may be elsewhere, and says so, and that of noi
 TEST_CASE("volumes of heights in a few steps have no error", "[material-error][contract]") {
   const Field z = (1.6 * moving_average({128, 128}, {4, 4}, 3)).floor().max(-4).min(3);
   const Parameters all = measure({.grid = grid(128, 128), .heights = z}, {.groups = {Group::material}});
-  for (const char* name : {"Vmp", "Vmc", "Vvc", "Vvv", "Sk"})
+  for (const char* name : {"Vmp", "Vmc", "Vvc", "Vvv", "Sk", "Spkx", "Sak1", "Sdc", "Sxp"})
     CHECK(std::isnan(named(all, name).standard_error));
 }
 
