@@ -18,6 +18,7 @@ Surface surface_of(const Dataset& data, const std::string& variable) {
           .heights = field_of(data, variable, Missing::not_a_number),
           .degree = cli::removed_degree(data, variable),
           .filled = cli::filled_share(data, variable),
+          .aligned = cli::aligned_share(data, variable),
           .variable = variable,
           .units = si_unit_of(data.at(variable))};
 }
@@ -64,9 +65,9 @@ bool filter(const cli::Tool& tool, const std::string& variable, const cli::Chain
   const auto [lines, converged] = chain(tool, surface);
   cli::warn_of_proportions(tool, Proportions(surface.heights, surface.grid), surface.units);
   const int degree = surface.degree;
-  const double filled = surface.filled;
+  const double filled = surface.filled, aligned = surface.aligned;
   if (!is_map_of(data, surface)) replace(tool, data, std::move(surface));
-  cli::set_preparation(data, degree, filled);
+  cli::set_preparation(data, degree, filled, aligned);
   tool.write(data, output, lines);
   return converged;
 }

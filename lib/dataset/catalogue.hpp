@@ -114,6 +114,7 @@ inline constexpr KnownAttribute attributes[] = {
     {"generate_warnings", other, "", "warnings, a line each"},
     {"filter_form_degree", parameter, "1", "degree of the form that was removed"},
     {"filter_filled_share", parameter, "1", "share of the points that were filled"},
+    {"filter_aligned_share", parameter, "1", "share of Sq that aligning scan lines took"},
     {"filter_warnings", other, "", "warnings, a line each"},
     {"acf_variable", other, "", "measured field"},
     {"acf_surfaces", other, "1", "surfaces in the mean"},

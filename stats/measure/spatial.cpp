@@ -26,6 +26,15 @@ void add_lobe(ParameterList& out, const LobeEstimates& lobe, double level, bool 
   add_ellipse(out, lobe, words.meaning, {"gamma", "gamma_direction"}, with_errors);
 }
 
+// Aligned scan lines have lost waves across them, by an amount of which no error tells.
+void mark_aligned(Parameters& all) {
+  for (Parameter& p : all) {
+    p.standard_error = unknown, p.interval.reset();
+    if (std::isfinite(p.value))
+      p.why = "no error: the scan lines were aligned, which takes waves of the surface across them";
+  }
+}
+
 }  // namespace
 
 Parameters lobe_lengths(const LagField& rho, const Grid& grid, double level) {
@@ -60,7 +69,9 @@ Parameters spatial_parameters(const Sample& sample, const MeasureOptions& option
           enough && lobe.texture ? *lobe.texture : Estimate{texture.angle}, few);
   out.add("Std_contrast", "1", "largest power over directions divided by the mean, 1 for no texture",
           {texture.contrast}, few);
-  return std::move(out).with_known_errors(sample.size());
+  Parameters all = std::move(out).with_known_errors(sample.size());
+  if (sample.surface().aligned > 0) mark_aligned(all);
+  return all;
 }
 
 }  // namespace asperity

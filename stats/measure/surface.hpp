@@ -35,6 +35,7 @@ struct Surface {
   double level = 0;    ///< the mean that was subtracted
   int degree = 0;      ///< of the form that was, now or before
   double filled = 0;   ///< share of the points that were missing and filled before
+  double aligned = 0;  ///< share of Sq that aligning scan lines took before
   double step = 0;     ///< of the heights before the form was removed; 0: none, or smoothed since
   double largest = 0;  ///< of the absolute values, form included; 0: not known
   std::string variable = "heights", units = "m";

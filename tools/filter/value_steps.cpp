@@ -11,7 +11,9 @@
 #include "core/words.hpp"
 #include "stats/filter/morphology.hpp"
 #include "stats/filter/outliers.hpp"
+#include "stats/filter/row_alignment.hpp"
 #include "stats/height/distribution.hpp"
+#include "stats/uncertainty/aligned_share.hpp"
 #include "tools/filter/chain.hpp"
 #include "tools/measure/preparation_words.hpp"
 
@@ -122,6 +124,61 @@ Act median(const std::string& value) {
   };
 }
 
+// ---- scan lines ----
+
+// "2", "median,y".
+RowAlignment alignment_of(const std::string& value) {
+  using enum RowAlignment::Method;
+  const char* name = "align-rows";
+  const std::vector<std::string> words = split(value, ',');
+  RowAlignment out;
+  if (words.size() > 2 || (words.size() == 2 && words[1] != "x" && words[1] != "y"))
+    refuse(name, value, "is not METHOD, METHOD,x or METHOD,y");
+  if (words.size() == 2 && words[1] == "y") out.along = Axis1D::y;
+  const std::string& method = words.front();
+  if (method == "median" || method == "median-difference" || method == "jumps") {
+    out.method = method == "median" ? median : method == "jumps" ? jumps : median_difference;
+    return out;
+  }
+  const auto degree = method == "mean" ? 0 : to_number<int>(method);
+  if (!degree || *degree < 0 || *degree > largest_form_degree)
+    refuse(name, method,
+           "is none of median|mean|median-difference|jumps, nor a degree from 0 to " +
+               std::to_string(largest_form_degree));
+  out.method = polynomial, out.degree = *degree;
+  return out;
+}
+
+// "2 of 255 steps between lines jump, by 4nm at most; ", of jumps.
+std::string words_of(const AlignedRows& aligned, const RowAlignment& how, const std::string& units) {
+  if (how.method != RowAlignment::Method::jumps) return "";
+  const std::string steps = counted(aligned.lines - 1, "step") + " between lines ";
+  if (aligned.jumps == 0) return "none of " + steps + "jumps; ";
+  return std::to_string(aligned.jumps) + " of " + steps + "jump, by " + figure(aligned.largest, units) +
+         " at most; ";
+}
+
+Act rows_aligned(const std::string& value) {
+  return [asked = alignment_of(value)](const Tool& tool, Surface& surface) -> StepReport {
+    RowAlignment how = asked;
+    const HeightSteps steps = height_steps(surface.heights);
+    how.step = steps.values > 2 ? steps.step : 0;
+    AlignedRows aligned = aligned_rows(surface.heights, surface.grid, how);
+    const TakenByAlignment taken = taken_by_alignment(aligned, surface.grid, how, tool.thread_count());
+    constexpr double least_share = 1e-9;  // beyond round-off
+    if (taken.share > least_share) surface.aligned = std::max(surface.aligned, taken.share);
+    const Field former = std::exchange(surface.heights, std::move(aligned.heights));
+    std::string words =
+        words_of(aligned, how, surface.units) + removed(former, surface.heights, surface.units);
+    if (taken.share > least_share)
+      words += fmt::format(
+          "; {} of the surface itself, {} % of its Sq",
+          taken.all ? "all of that may be" : "some " + figure(taken.rms, surface.units) + " rms of that are",
+          in_digits(100 * taken.share, 2));
+    return {std::move(words), true};
+  };
+}
+
 // ---- points ----
 
 // "2.1nm over 1 point, 6.3nm over 3".
@@ -203,6 +260,12 @@ std::vector<StepKind> value_steps() {
        short_waves_removed},
       {"lambda-c", cutoff_kind, "Keep the waves shorter than this, by the L-filter. FILTER as of --lambda-s",
        group, long_waves_removed},
+      {"align-rows", "METHOD[,AXIS]",
+       "Put the scan lines along AXIS, x or y, level with each other, by what METHOD finds of each; median, "
+       "mean, a degree K: its polynomial; median-difference: the sum of the medians of the differences of "
+       "neighbours; jumps: that of those alone that stand out of all. median,y; default AXIS: x. It takes "
+       "waves of the surface too: the history tells how much, and later tools warn of what it touches",
+       group, rows_aligned},
       {"closing", "RADIUS",
        "Fill the valleys that a ball of this radius does not reach from above: morphological closing", group,
        closed},

@@ -73,6 +73,16 @@ bool was_changed(const Dataset& data, const Surface& surface) {
   return above > least || below > least || (whole && (above < -least || below < -least));
 }
 
+// Sq² of the surface is that of the map and what was taken.
+void warn_of_alignment(const Tool& tool, double share) {
+  tool.warn(
+      "the scan lines were aligned, which took some " + in_digits(100 * share, 2) +
+      " % of Sq of the surface itself: Sq is too small by some " +
+      in_digits(100 * (1 - std::sqrt(1 - std::pow(share, 2))), 2) +
+      " %, the ACF and the spectrum across the lines, Sal, Str and Std are those of the map without it, "
+      "and errors do not allow for it");
+}
+
 }  // namespace
 
 void FieldOptions::declare(Tool& tool) {
@@ -108,6 +118,7 @@ Surface FieldOptions::without_heights(const Dataset& data) const {
   Surface out{.grid = grid_of(data),
               .degree = removed_degree(data, variable),
               .filled = filled_share(data, variable),
+              .aligned = aligned_share(data, variable),
               .variable = variable,
               .units = si_unit_of(data.at(variable))};
   const bool as_drawn = !asked.filters();
@@ -145,6 +156,7 @@ Surface FieldOptions::read(const Tool& tool, const Dataset& data) const {
   if (surface.filled > 0)
     tool.warn(in_digits(100 * surface.filled, 2) +
               " % of the points were filled; errors take them for measured, and are too small");
+  if (surface.aligned > 0) warn_of_alignment(tool, surface.aligned);
   return surface;
 }
 

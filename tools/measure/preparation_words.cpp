@@ -15,7 +15,8 @@ constexpr std::pair<const char*, Cutoff::Filter> filters[] = {{"gaussian", Cutof
                                                               {"robust", Cutoff::Filter::robust},
                                                               {"spline", Cutoff::Filter::spline}};
 
-constexpr std::string_view degree_attribute = "filter_form_degree", filled_attribute = "filter_filled_share";
+constexpr std::string_view degree_attribute = "filter_form_degree", filled_attribute = "filter_filled_share",
+                           aligned_attribute = "filter_aligned_share";
 
 double of_map(const Dataset& data, std::string_view variable, std::string_view attribute) {
   return variable == "heights" || variable == "values" ? data.attributes.number(attribute, 0) : 0;
@@ -62,9 +63,14 @@ double filled_share(const Dataset& data, std::string_view variable) {
   return std::clamp(of_map(data, variable, filled_attribute), 0.0, 1.0);
 }
 
-void set_preparation(Dataset& data, int degree, double filled) {
-  for (const auto& [name, value] :
-       {std::pair(degree_attribute, double(degree)), {filled_attribute, filled}}) {
+double aligned_share(const Dataset& data, std::string_view variable) {
+  return std::clamp(of_map(data, variable, aligned_attribute), 0.0, 1.0);
+}
+
+void set_preparation(Dataset& data, int degree, double filled, double aligned) {
+  for (const auto& [name, value] : {std::pair(degree_attribute, double(degree)),
+                                    {filled_attribute, filled},
+                                    {aligned_attribute, aligned}}) {
     data.attributes.erase(name);
     if (value > 0) data.attributes.set(name, value);
   }

@@ -29,8 +29,10 @@ Cutoff parse_cutoff(const std::string& option, const std::string& text);
 int removed_degree(const Dataset& data, std::string_view variable);
 /// The share of its points that asperity-filter has filled.
 double filled_share(const Dataset& data, std::string_view variable);
-/// Sets the two for a map.
-void set_preparation(Dataset& data, int degree, double filled);
+/// The share of Sq that its alignment of scan lines took of the surface.
+double aligned_share(const Dataset& data, std::string_view variable);
+/// Sets the three for a map.
+void set_preparation(Dataset& data, int degree, double filled, double aligned);
 
 /// Throws UsageError(option, …) for a cut-off beyond the longer side of the field, where a filter separates
 /// nothing.
