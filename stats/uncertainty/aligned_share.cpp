@@ -45,13 +45,13 @@ double lost_by_modes(const Field& lines, const Grid& grid, int degree, int threa
       lines, pairs, {.max_lag = {0, grid.shape.ny / 2}, .level = 0, .threads = threads});
   if (!(acf(0, 0) > 0)) return 0;
   const FormModes modes(Grid{{grid.shape.ny, 1}, 1, 1, false}, degree);
-  Index reach = 1;
+  Index reach = 0;
   while (reach < acf.max_q() && acf(0, reach) > 0) ++reach;
   double lines_with_points = 0;
   for (Index j = 0; j < lines.rows(); ++j) lines_with_points += lines.row(j).isNaN().all() ? 0 : 1;
   const double m = modes.count() * lines_with_points / pairs.points();
   double of_lags = 0, kept = 0;
-  for (Index q = 0; q <= std::min(2 * reach, acf.max_q()); ++q) {
+  for (Index q = 0; q <= reach; ++q) {
     const double of_mode = (q == 0 ? 1 : 2) * pairs.pair_fraction(0, q) * modes(q, 0);
     if (!(pairs.pair_fraction(0, q) > 0)) continue;
     of_lags += m * of_mode * acf(0, q) / acf(0, 0);

@@ -7,7 +7,7 @@
 /// aligned lines, above a form of degree 2 and about their own means: it is lower there by what the lines
 /// lost, b B of the variance that is left, so that
 ///     b = M/n Σ v B ρ_a / (1 - M/n Σ v B²),     M = k + 1,                                            (2)
-/// over the lags up to twice the first at which ρ_a is not above zero, at most half a line. What (1) or (3)
+/// over the lags up to the first at which ρ_a is not above zero, at most half a line. What (1) or (3)
 /// of row_alignment.hpp took besides the means is what the means of the aligned lines are now,
 ///     taken² = b σ_a² + mean of their squares about their mean,                                       (3)
 /// but no more than went altogether, as of lines that an instrument has aligned before.
@@ -19,7 +19,7 @@
 ///           keep means of their own.
 /// Accuracy  Six maps of 256 × 256 points, white, exp(-r²/ℓ²) with ℓ = 5 and 20 points, with offsets, tilt
 ///           and bow, the mean of each line: √ρ̄ is 0.063, 0.186, 0.372 of Sq, 0.062, 0.179, 0.283 are taken
-///           and 0.063, 0.185, 0.348 estimated. Within a fifth for each method, and a self-affine surface:
+///           and 0.063, 0.184, 0.354 estimated. Within a fifth for each method, and a self-affine surface:
 ///           192 points, a correlation length of 6 and 10 (tests/stats/row_alignment.cpp). Waves longer than
 ///           a line remain unseen.
 /// Cost      a form, and a correlation along the lines.

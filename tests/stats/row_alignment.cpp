@@ -108,7 +108,7 @@ TEST_CASE(
   const Index n = 256;
   const Grid on = grid(n, n);
   const Field z = moving_average({n, n}, {12, 12}, 3);
-  const Eigen::ArrayXd drift = Eigen::ArrayXd::LinSpaced(n, 0, 20);
+  const Eigen::ArrayXd drift = Eigen::ArrayXd::LinSpaced(n, 0, 2000);
   for (const Field& surface : {z, with_offsets(z, drift), with_offsets(z, random_numbers(n, 3, 4))}) {
     const AlignedRows same_lines = aligned_rows(surface, on, {Method::jumps});
     CHECK(same_lines.jumps == 0);
@@ -128,6 +128,20 @@ TEST_CASE(
   CHECK(rms <= found.taken * std::sqrt(1 + 3 * std::sqrt(0.4)));
   CHECK(std::abs(left(5, 60) - left(99, 80)) <= 64 * epsilon * 20);
   CHECK(taken_by_alignment(found, on, {Method::jumps}).rms == found.taken);
+}
+
+// Lines up and down by 1: c = 0, s = 1.4826. Of 65 lines 32 lie behind the first jump, 15 behind the second.
+TEST_CASE("what jumps take is the deviation of the steps, by the share of the lines behind each",
+          "[filter][exact]") {
+  const Field z = Field::NullaryExpr(4, 65, [](Index, Index j) {
+    return static_cast<double>(j % 2 + (j >= 33 ? 100 : 0) - (j >= 50 ? 100 : 0));
+  });
+  const AlignedRows found = aligned_rows(z, grid(4, 65), {Method::jumps});
+  const double first = 32.0 / 65, second = 15.0 / 65;
+  CHECK(found.jumps == 2);
+  CHECK(found.largest == 101);
+  CHECK(std::abs(found.taken - 1.4826 * std::sqrt(first * (1 - first) + second * (1 - second))) <=
+        4 * epsilon);
 }
 
 // d is 0 or a step of the heights, and more than half are 0: s was 0, and every step a jump.
