@@ -362,8 +362,13 @@ Map map_of_points(const Table& table, const Columns& columns) {
   const Column xs = std::move(given.front()), zs = std::move(given.back()),
                ys = profile ? Column::Zero(xs.size()) : Column(std::move(given[1]));
   if (xs.size() < 2) refuse("a map needs at least 2 points");
-  if (profile && xs.isFinite().all() && steady(xs) && fits_of(xs).none())
-    return even_profile(xs, zs, metres[0]);
+  if (profile && xs.isFinite().all() && fits_of(xs).none()) {
+    Lines sorted(xs.begin(), xs.end());
+    std::ranges::sort(sorted);
+    if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+      refuse("point x = {} is given twice", shortest(*twice));
+    if (steady(xs)) return even_profile(xs, zs, metres[0]);
+  }
   const GridAxis x = require_axis(xs, 'x'), y = require_axis(ys, 'y');
   if (!fill_half(xs.size(), x, y))
     refuse("{} points fill less than half of a grid of {} x {}", xs.size(), x.count, y.count);

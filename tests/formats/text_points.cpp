@@ -98,7 +98,8 @@ TEST_CASE("a profile of uneven points is read at even places, by straight lines,
   CHECK_THAT(map.understood, ContainsSubstring("heights are missing"));
 }
 
-// 2.2 was taken for a tenth of spacings off; 1 is now off by half a digit.
+// 2.2 was taken for a tenth of spacings off; 1 is now off by half a digit. An uneven profile with a place given
+// twice was refused as uneven.
 TEST_CASE("points that are no grid are refused", "[formats][text][contract]") {
   const Reading profile = told_columns("1/m,2/m"), map = told_columns("1/m,2/m,3/m");
   CHECK_THAT(refusal("0.00 0 1\n1.00 0 2\n2.23 0 3\n", map),
@@ -106,6 +107,8 @@ TEST_CASE("points that are no grid are refused", "[formats][text][contract]") {
   CHECK_THAT(refusal("0 0 1\n1 1 2\n2 2 3\n3 3 4\n", map),
              ContainsSubstring("fill less than half of a grid of 4 x 4"));
   CHECK_THAT(refusal("0 1\n1 2\n1 3\n", profile), ContainsSubstring("x = 1 is given twice"));
+  for (const char* uneven : {"0 1\n1 2\n1 3\n4.5 2\n", "0 1\n4.5 2\n1 2\n1 3\n", "9 1\n2.5 4\n1 2\n1 3\n"})
+    CHECK_THAT(refusal(uneven, profile), ContainsSubstring("x = 1 is given twice"));
   CHECK_THAT(refusal("0 1\n1 2\nnan 3\n", profile), ContainsSubstring("a coordinate x is missing"));
   CHECK_THAT(refusal("1 2\n", profile), ContainsSubstring("at least 2 points"));
   CHECK_THAT(refusal("x;z\n0;1\n1;2\n", {}),
