@@ -79,6 +79,15 @@ bool is_text(std::string_view bytes) {
   return std::ranges::none_of(samples_of(bytes), wide ? has_wide_control : has_control);
 }
 
+std::string_view foreign_format(std::string_view bytes, std::string_view file_name) {
+  // Of binary and of text files, and those of force curves and electrochemistry.
+  for (const std::string_view head : {"\\*File list", "?*File list", "\\*Force file list", "\\*EC File list"})
+    if (bytes.starts_with(head)) return "a file of Nanoscope (Bruker, Veeco)";
+  if (is_text(bytes)) return "";
+  if (bytes.starts_with("WSxM file copyright")) return "a file of WSxM";
+  return lower(file_name).ends_with(".nms") ? "a file of NanoFocus (.nms)" : "";
+}
+
 const Format& format_named(std::string_view name, const std::string& option) {
   std::string names;
   for (const Format& format : formats()) {
@@ -100,6 +109,7 @@ const Format* format_by_extension(std::string_view file_name) {
 const Format* known_format(std::string_view bytes, std::string_view file_name) {
   for (const Format& format : formats())
     if (format.recognises && format.recognises(bytes)) return &format;
+  if (!foreign_format(bytes, file_name).empty()) return nullptr;
   if (is_text(bytes)) return &format::text;
   const Format* const format = format_by_extension(file_name);
   const auto zeros = [](std::string_view sample) { return sample.find('\0') != sample.npos; };
@@ -110,6 +120,8 @@ const Format* known_format(std::string_view bytes, std::string_view file_name) {
 const Format& format_of(std::string_view bytes, std::string_view file_name) {
   if (bytes.empty()) refuse("the file is empty");
   if (const Format* format = known_format(bytes, file_name)) return *format;
+  if (const std::string_view foreign = foreign_format(bytes, file_name); !foreign.empty())
+    refuse("{}, which no reader here knows: convert it with Gwyddion", foreign);
   refuse("unknown format: neither the first bytes nor the file extension identifies it");
 }
 

@@ -62,6 +62,10 @@ std::size_t chosen_channel(std::span<const Channel> channels, std::string_view n
 /// the end.
 bool is_text(std::string_view bytes);
 
+/// A format that no reader here knows, in words: "a file of Nanoscope (Bruker, Veeco)", by the first bytes,
+/// or of NanoFocus, which has no typical ones, by the name; "" of others. No text but Nanoscope's is one.
+std::string_view foreign_format(std::string_view bytes, std::string_view file_name);
+
 /// Throws ParameterError(option, …) with the list of names.
 const Format& format_named(std::string_view name, const std::string& option);
 /// The format with the extension of the name; null when there is none.

@@ -39,6 +39,25 @@ TEST_CASE("numbers behind a long head of words are no text, padding behind a tex
   }
 }
 
+// Nanoscope's own text was read as a matrix, and others were refused without a name.
+TEST_CASE("a file of Nanoscope, WSxM or NanoFocus is called so, and a text of WSxM is a text",
+          "[formats][contract]") {
+  const std::string numbers("\0\1\2\0\5", 5);
+  for (const auto& [bytes, name, words] :
+       {std::tuple{"\\*File list\r\n" + numbers, "a.001", "a file of Nanoscope (Bruker, Veeco)"},
+        {"?*File list\r\n1 2\r\n3 4\r\n", "a.txt", "a file of Nanoscope (Bruker, Veeco)"},
+        {"WSxM file copyright UAM\r\n" + numbers, "-", "a file of WSxM"},
+        {numbers, "folder/A.NMS", "a file of NanoFocus (.nms)"},
+        {"WSxM file copyright UAM\r\nWSxM ASCII Matrix file\r\n1 2\r\n", "a.txt", ""},
+        {"1 2\n3 4\n", "a.nms", ""},
+        {numbers, "a.dat", ""}}) {
+    CAPTURE(bytes, name);
+    CHECK(foreign_format(bytes, name) == words);
+    CHECK((known_format(bytes, name) == &format::text) == (words == std::string() && bytes != numbers));
+    if (words != std::string()) CHECK_THROWS_WITH(format_of(bytes, name), ContainsSubstring(words));
+  }
+}
+
 // Marks of missing points became heights.
 TEST_CASE("a height that is none is refused with its value, in every unit of length", "[formats][contract]") {
   Map map{.values = Field::Constant(2, 2, 1.70141e38), .spacing = {1, 1}};

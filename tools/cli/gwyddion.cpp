@@ -48,7 +48,8 @@ std::string complaint(const ProgramRun& run, const std::string& path) {
   return one_line(run.messages.substr(words, run.messages.find('\n', words) - words), 120);
 }
 
-std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimits limits) {
+std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimits limits,
+                    const std::string& what) {
   using enum ProgramRun::End;
   if (run.end == not_started) return "Gwyddion, which would read the file, cannot be started";
   if (run.end == too_long)
@@ -56,7 +57,7 @@ std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimit
   if (run.end == too_large || run.messages.find("failed to allocate") != std::string::npos)
     return "Gwyddion needs more memory to read the file than `memory` allows";
   const std::string words = complaint(run, path);
-  return "unknown format, and Gwyddion cannot read the file either" + (words.empty() ? "" : ": " + words);
+  return what + ", and Gwyddion cannot read the file either" + (words.empty() ? "" : ": " + words);
 }
 
 // Gwyddion 2.62 takes sizes of WSxM in the prefix of the heights: where heights are in nm, 1 µm becomes 1 nm.
@@ -82,18 +83,20 @@ void check_wsxm(const Map& map, std::string_view bytes) {
 }  // namespace
 
 Map map_through_gwyddion(std::string_view bytes, const std::string& name, const Reading& reading) {
-  const std::string program = program_path("gwyddion");
+  const std::string program = program_path("gwyddion"), foreign(foreign_format(bytes, name));
   if (program.empty())
     throw DataError(
         "map",
-        "unknown format: neither the first bytes nor the file extension identifies it. Gwyddion reads "
-        "a hundred more: install it (package gwyddion of Debian), and Asperity reads through it");
+        (foreign.empty() ? "unknown format: neither the first bytes nor the file extension identifies it"
+                         : foreign + ", which no reader here knows") +
+            ". Gwyddion reads a hundred formats more: install it (package gwyddion of Debian), and Asperity "
+            "reads through it");
   const std::string own = path_of(name), path = own.empty() ? input_file : own;
   const ProgramLimits limits = limits_of(bytes.size(), reading.memory);
   ProgramRun run = run_program(program, {fmt::format("--convert-to-gwy={}", output_file), path},
                                own.empty() ? bytes : std::string_view(), limits);
   if (run.end != ProgramRun::End::done || run.output.size() == 0)
-    throw DataError("map", refusal(run, path, limits));
+    throw DataError("map", refusal(run, path, limits, foreign.empty() ? "unknown format" : foreign));
   Reading options = reading;
   options.memory = reading.memory.beside(run.output.size());
   Map map = format::gwy.decode(run.output, options);
