@@ -74,7 +74,11 @@ std::string in_words(double value, const std::string& unit) {
 
 Quantity quantity_of(const Variable& variable) {
   const std::string& name = variable.name;
-  const std::string unit = si_unit_of(variable), words = variable.attributes.text("long_name");
+  const bool strain = name == "plastic_strain" || name == "plastic_strain_counter",
+             dent = name == "displacement_plastic";  // short, for they stand along an axis
+  const std::string unit = si_unit_of(variable), words = strain ? "plastic strain"
+                                                         : dent ? "plastic displacement"
+                                                                : variable.attributes.text("long_name");
   if (name == "heights") return {"height", unit, Zero::chosen};
   if (name == "noise") return {"noise", unit, Zero::between};
   if (name == "pressure" || name == "gap" || name == "displacement") return {name, unit, Zero::least};

@@ -32,8 +32,6 @@ void add(Flow& flow, const Grid& grid, Variable volume, FlowVolume words) {
   const Index k = std::ranges::max_element(values) - values.begin();
   if (!(values[size(k)] > 0)) return;
   words.variable = volume.name;
-  volume.attributes.set("long_name",
-                        words.unit == "1" ? "plastic strain" : "residual stress");  // short: beside a bar
   words.largest = values[size(k)];
   words.depth = flow.depths[size(k / layer)];
   words.section = grid.shape.nx < 2 ? "x=0" : fmt::format("y={}m", grid.y(k % grid.shape.ny));
@@ -63,6 +61,7 @@ Variable residual_stress(const cli::Tool& tool, const Dataset& data, const Body&
   }
   out.values = std::move(values);
   out.attributes.set("units", "Pa");
+  out.attributes.set("long_name", "residual stress");  // short, beside a bar of colours
   return out;
 }
 
