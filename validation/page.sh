@@ -24,13 +24,35 @@ begin() {
   begin_again "$1"
 }
 
+# runs PROGRAM CHAPTER...: whether one of them does.
+runs() { grep -qE "^run(_script)? $1( |\$)" "${@:2}"; }
+
 # begin_again FOLDER [PROGRAM...]: the same, with the tables of an earlier run, except those of these programs.
 begin_again() {
-  index=$1/RESULTS.md results=$1/results broken=0 held=0
-  [ $# -eq 1 ] || printf 'Run again at commit %s: %s.\n' "$(commit)" "${*:2}" >>"$results/conditions.txt"
-  rm -f "$results"/*.md
+  index=$1/RESULTS.md results=$1/results former_claims= former_chapters=
+  if [ $# -eq 1 ]; then
+    rm -f "$results"/*.md
+  else
+    local program
+    for program in "${@:2}"; do runs "$program" validation/chapters/* || { echo "report: no chapter runs $program" >&2; exit 2; }; done
+    printf 'Run again at commit %s: %s.\n' "$(commit)" "${*:2}" >>"$results/conditions.txt"
+    former_claims=$(<"$results/claims.tsv") former_chapters=$(<"$results/chapters.txt")
+  fi
   printf 'claim\tworst\tbound\tcases\tholds\tchapter\n' >"$results/claims.tsv"
   : >"$results/chapters.txt"
+}
+
+# write_chapter: the page of $chapter; where --again names programs and none of its own, the page of the last run stays, with its
+# claims, for the chapter may ask for tables that are not stored.
+write_chapter() {
+  local name program
+  [[ -v again && -n ${again// /} ]] || { . "$chapter"; return; }
+  for program in $again; do
+    ! runs "$program" "$chapter" || { . "$chapter"; return; }
+  done
+  name=$(basename "$chapter" .sh)
+  awk -F'\t' -v name="${name#*-}" '$6 == name' <<<"$former_claims" >>"$results/claims.tsv"
+  awk -F'\t' -v name="${name#*-}" '$1 == name' <<<"$former_chapters" >>"$results/chapters.txt"
 }
 
 conditions() {
@@ -99,6 +121,7 @@ run_script() {
 
 # rows TABLE [CONDITION]: its header and these rows.
 rows() {
+  [ -f "$results/$1.tsv" ] || { echo "report: the last run has no table $1: run its program, --again ${1%-*}" >&2; return 1; }
   awk -F'\t' 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; print; next } '"${2:-1}" "$results/$1.tsv"
 }
 
@@ -192,17 +215,19 @@ claim() {
     END { if (!seen) print "no row" }')
   if [ -z "$failing" ]; then
     printf '\n✓ %s\n' "$1" >>"$page"
-    held=$((held + 1))
   else
     printf '\n**Does not hold:** %s\n' "$1" >>"$page"
     printf 'report: does not hold: %s\n%s\n' "$1" "$failing" >&2
-    broken=$((broken + 1)) holds=no
+    holds=no
   fi
   printf '%s\t%s\t%s\t%s\n' "$1" "$(tightest "$2" "$3" "$4")" "$holds" "$(basename "$page" .md)" >>"$results/claims.tsv"
 }
 
 # RESULTS.md: all claims in one table, and of each chapter its first picture.
 finish() {
+  local held broken
+  held=$(awk -F'\t' '$5 == "yes"' "$results/claims.tsv" | wc -l)
+  broken=$(awk -F'\t' '$5 == "no"' "$results/claims.tsv" | wc -l)
   {
     cat "$results/conditions.txt"
     printf '\n## Claims\n\n`worst` is the value nearest to its bound among so many `cases`.\n\n'

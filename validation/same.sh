@@ -9,6 +9,9 @@ chain_error_time-1 setup seconds draw contact stress
 contact_grid_error-2 share
 contact_error_time-1 setup_seconds seconds over_operators convolution_over_r2c
 contact_error_time-2 setup_seconds seconds over_operators
+flow_error_time-1 seconds
+flow_error_time-2 seconds
+flow_scene-1 seconds
 heights_error_time-1 fit solve surface whole
 heights_plane-1 fit apply map
 moments_error_time-1 seconds ratio
@@ -44,6 +47,6 @@ same() {
     table=$(basename "$table" .tsv)
     diff --label "$1: $table" --label "$2: $table" -u0 <(lasting "$1" "$table") <(lasting "$2" "$table") || differing=1
   done
-  for picture in "$1"/results/paper-*.png; do cmp "$picture" "$2/results/$(basename "$picture")" || differing=1; done
+  for picture in "$1"/results/{paper,flow}-*.png; do cmp "$picture" "$2/results/$(basename "$picture")" || differing=1; done
   return "$differing"
 }
