@@ -147,7 +147,9 @@ void PlasticOptions::declare(Tool& tool) {
       "give the same to 1 %. On a way of --sweep: of the largest load, 8 by default",
       flow);
   tool.flag("--unload", unload,
-            "Take the load off again, of j2: what stays are dent, strain and residual stress", flow);
+            "Take the load off again, of j2: what stays are dent, strain and residual stress, which "
+            "asperity-stress then computes alone",
+            flow);
 }
 
 void PlasticOptions::check_model(const Tool& tool) const {

@@ -22,6 +22,8 @@ constexpr Body bodies[] = {
     {1, "plastic_strain", "residual_von_mises", ""},
     {2, "plastic_strain_counter", "residual_von_mises_counter", " of the second body"}};
 
+constexpr double bytes_a_cell = 900;  // of a layer, to compute the residual stress
+
 void add(Flow& flow, const Grid& grid, Variable volume, FlowVolume words) {
   const std::vector<double> values = present_numbers(volume);
   const Index layer = grid.shape.cells();
@@ -40,6 +42,9 @@ void add(Flow& flow, const Grid& grid, Variable volume, FlowVolume words) {
 }
 
 Variable residual_stress(const cli::Tool& tool, const Dataset& data, const Body& body) {
+  const double bytes = bytes_a_cell * static_cast<double>(data.length("layer") * grid_of(data).shape.cells());
+  if (bytes > static_cast<double>(tool.memory_bound().bytes))
+    throw DataError("residual stress", "needs more than the memory of --memory");
   if (!data.attributes.find("contact_poisson")) throw DataError("contact_poisson", "is missing");
   cli::StressOptions options;
   options.body = body.number;
