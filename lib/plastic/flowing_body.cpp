@@ -22,8 +22,7 @@ FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const PlasticM
       strain_(box.layers(), numbers, grid_.shape),
       equivalent_(box.layers(), 1, grid_.shape),
       stress_(strain_),
-      is_unknown_(size(equivalent_.values.size()), 0),
-      share_(equivalent_) {}
+      is_unknown_(size(equivalent_.values.size()), 0) {}
 
 FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const FlowingBody& smaller,
                          const PlasticBox& own)
@@ -41,10 +40,10 @@ FlowingBody::FlowingBody(const Grid& grid, const PlasticBox& box, const FlowingB
 
 double FlowingBody::memory(const PlasticBox& box) {
   const auto points = static_cast<double>(box.x.count * box.y.count * box.layers());
-  constexpr double fields = 13 * sizeof(double) + 1, kernel = 5 * sizeof(float),
-                   spectra = 5 * sizeof(Complex), most_spectra_held = 256e6,
-                   a_point = (3 * 5 + 9 + 6) * numbers * sizeof(double), share_of_points = 0.25;
-  return std::min(spectra * points, most_spectra_held) +
+  constexpr double fields = 11 * sizeof(double) + 1, kernel = 5 * sizeof(float),
+                   spectra = 5 * sizeof(Complex), a_point = (3 * 5 + 9 + 6) * numbers * sizeof(double),
+                   share_of_points = 0.25;
+  return std::min(spectra * points, LayeredBody::most_spectra) +
          points * (fields + kernel + share_of_points * a_point);
 }
 
@@ -80,8 +79,8 @@ void FlowingBody::begin() {
 
 Index FlowingBody::add_points(double share) {
   const auto before = points_.size();
-  for (Index n = 0; n < share_.values.size(); ++n)
-    if (share_.values[n] > share && is_unknown_[size(n)] == 0) {
+  for (Index n = 0; n < equivalent_.values.size(); ++n)
+    if (is_unknown_[size(n)] == 0 && stress_.values[place(n, 0)] > share) {
       is_unknown_[size(n)] = 1;
       points_.push_back(n);
     }
@@ -132,26 +131,29 @@ void FlowingBody::restore() {
 double FlowingBody::respond(const Field& pressure, std::span<const double> unknowns, std::span<double> out) {
   body_.stress(&pressure, stress_);
   restore();
-  parallel_ranges(layers(), threads_, [&](Index begin, Index end, int) {
-    for (Index k = begin; k < end; ++k) set_shares(k);
-  });
   parallel_ranges(std::ssize(points_), threads_, [&](Index begin, Index end, int) {
     for (Index n = begin; n < end; ++n)
       flow(n, unknowns.subspan(size(n * numbers), numbers), out.subspan(size(n * numbers), numbers));
   });
-  return share_.values.maxCoeff();
+  parallel_ranges(layers(), threads_, [&](Index begin, Index end, int) {
+    for (Index k = begin; k < end; ++k) set_shares(k);
+  });
+  for (const Index point : points_) stress_.values[place(point, 0)] = 0;
+  double largest = 0;
+  for (Index k = 0; k < layers(); ++k) largest = std::max(largest, stress_(k, 0).maxCoeff());
+  return largest;
 }
 
-// Of a layer, as if all of it were elastic.
+// Of a layer, as if all of it were elastic, in place of the stress.
 void FlowingBody::set_shares(Index layer) {
   Field square = stress_(layer, 0).square();
   for (Index c = 1; c < numbers; ++c) square += stress_(layer, c).square();
   const Hardening& h = material_.hardening;
   const auto strain = equivalent_(layer, 0);
   if (h.strength > 0)
-    share_(layer, 0) = (1.5 * square).sqrt() / (h.strength * (h.offset + strain).pow(h.exponent));
+    stress_(layer, 0) = (1.5 * square).sqrt() / (h.strength * (h.offset + strain).pow(h.exponent));
   else
-    share_(layer, 0) = (1.5 * square).sqrt() / (h.yield + h.modulus * strain);
+    stress_(layer, 0) = (1.5 * square).sqrt() / (h.yield + h.modulus * strain);
 }
 
 // (1) of a point.
@@ -167,7 +169,6 @@ void FlowingBody::flow(Index n, std::span<const double> change, std::span<double
   const double q = deviator::root_three_halves * std::sqrt(square),
                gamma = material_.hardening.flow(q, equivalent_.values[point], material_.shear_modulus());
   gamma_[size(n)] = gamma;
-  share_.values[point] = 0;
   for (Index c = 0; c < numbers; ++c) out[size(c)] = gamma > 0 ? 1.5 * gamma / q * h * trial[size(c)] : 0;
 }
 

@@ -83,11 +83,11 @@ class FlowingBody {
   int alike_;
   int threads_;
   LayeredBody body_;
-  LayeredField strain_, equivalent_, stress_;
+  LayeredField strain_, equivalent_;
+  LayeredField stress_;  ///< after an evaluation its first component is von Mises stress over flow stress
   std::vector<Index> points_;     ///< layer · cells + cell
   std::vector<double> before_;    ///< ε_n of the points, while the strain is ε_n + D; or none
   std::vector<char> is_unknown_;  ///< of each cell of a layer
-  LayeredField share_;            ///< von Mises stress over flow stress
   std::vector<double> gamma_;     ///< of each point
   std::vector<Index> former_points_;
   std::vector<double> former_;

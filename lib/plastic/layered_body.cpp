@@ -13,7 +13,6 @@ namespace {
 using stress::Component;
 
 constexpr Index five = deviator::components;
-constexpr double most_spectra = 256e6;  // bytes of spectra at a time
 
 std::vector<double> thicknesses(const std::vector<double>& edges) {
   std::vector<double> out;
@@ -168,7 +167,10 @@ void LayeredBody::load(Extent blocks, Index components) {
   loaded_ = blocks;
   components_ = components;
   const auto [nx, ny] = grid_.shape;
-  spectra_.resize(size(layers() * components_ * spectrum_size()));
+  if (const std::size_t points = size(layers() * components_ * spectrum_size()); points > spectra_.size()) {
+    spectra_ = AlignedVector<Complex>();  // not kept beside the larger ones
+    spectra_.resize(points);
+  }
   each_group(layers() * five, [&, nx = nx, ny = ny](Index n, Index i, Index count, Rows& rows) {
     const Index k = n / five, c = n % five;
     rows_.forward((*strain_)(k, c).data() + i * ny, ny, ny, count, rows.blocks.data(), rows.stride,

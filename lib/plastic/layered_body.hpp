@@ -19,7 +19,7 @@
 ///           thickness for smooth strains, σxz of the first layer order 1. B in single precision: 1e-7 p.
 /// Cost      of n layers (1) takes 10 n padded real transforms, 5 n more in x, and as long again for the
 ///           waves: 128 × 128 × 32 0.25 s. Memory: 10 n Px (Py/2) bytes for B on a torus of Px × Py, twice
-///           the cells a side, and of the spectra 256 MB at a time; where they take more, rows are
+///           the cells a side, and of the spectra 175 MB at a time; where they take more, rows are
 ///           transformed again for each group of columns.
 #pragma once
 
@@ -31,6 +31,8 @@ namespace asperity {
 
 class LayeredBody {
  public:
+  static constexpr double most_spectra = 175e6;  ///< in memory at a time [bytes]
+
   /// Layers between these edges [m], the first of which is 0.
   LayeredBody(const Grid& cells, std::vector<double> edges, double shear_modulus, double poisson,
               int threads = 1);

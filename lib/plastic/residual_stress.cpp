@@ -19,6 +19,15 @@ std::vector<double> with_further_edges(std::vector<double> edges) {
 
 }  // namespace
 
+double ResidualStress::memory(Shape cells, const std::vector<double>& edges) {
+  constexpr double five = deviator::components, six = five + 1;
+  const auto given = static_cast<double>(edges.size() - 1),
+             all = static_cast<double>(with_further_edges(edges).size() - 1),
+             points = static_cast<double>(cells.cells());
+  return points * (five * given + (five + six) * all) * sizeof(double) +
+         std::min(points * six * all * sizeof(Complex), LayeredBody::most_spectra);
+}
+
 ResidualStress::ResidualStress(const Grid& grid, const std::vector<double>& edges, const LayeredField& strain,
                                double young, double poisson, int threads)
     : grid_(grid) {

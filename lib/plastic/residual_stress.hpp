@@ -23,6 +23,8 @@ class ResidualStress : public AddedStress {
   /// Of a strain, its deviators, in layers between these edges [m] below all cells of a grid.
   ResidualStress(const Grid& grid, const std::vector<double>& edges, const LayeredField& strain, double young,
                  double poisson, int threads = 1);
+  /// What it needs to be made, with the strain that it is made of [bytes].
+  static double memory(Shape cells, const std::vector<double>& edges);
 
   Field layer(double z, stress::Component c) const override;
   /// At any place, linear between the cells' centres, beyond which the outermost ones count.

@@ -102,6 +102,7 @@ void StressOptions::check(Tool& tool) {
   check_content(tool);
   check_ranks(tool);
   threads = tool.thread_count();
+  memory = tool.memory_bound();
   if (!above.empty()) static_cast<void>(StressBound(above));
   refuse_if(points == "-" && surfaces.takes_standard_input(), "points",
             "standard input is the dataset: name a file");

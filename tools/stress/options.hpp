@@ -22,7 +22,8 @@ struct StressOptions {
   double poisson = none, friction = 0;
   std::string friction_angle = "0deg";
   int body = 1;
-  int threads = 1;  ///< after check()
+  int threads = 1;     ///< after check()
+  MemoryBound memory;  ///< likewise
   std::string resolution = "adapted";
 
   bool adds(std::string_view word) const { return std::ranges::find(add, word) != add.end(); }

@@ -61,8 +61,8 @@ std::optional<std::vector<double>> strain_of(const Dataset& data, const std::str
 }
 
 // Of a body, by its number in the contact, if that has flown.
-std::shared_ptr<const ResidualStress> residual_of(const Dataset& data, const Grid& grid, int body,
-                                                  double poisson, int threads) {
+std::shared_ptr<const ResidualStress> residual_of(const Dataset& data, const Grid& grid, double poisson,
+                                                  const StressOptions& options) {
   const Values* recorded = data.attributes.find("contact_layer_edges");
   if (recorded == nullptr) return nullptr;
   auto of_body = [&](const char* name) {
@@ -70,14 +70,18 @@ std::shared_ptr<const ResidualStress> residual_of(const Dataset& data, const Gri
     const std::vector<double> all = both ? numbers(*both) : std::vector<double>();
     if (all.size() != 2)
       throw DataError(name, "it must be a number for each body, as asperity-contact writes it");
-    return all[size(body - 1)];
+    return all[size(options.body - 1)];
   };
   if (!std::isfinite(of_body("contact_yield"))) return nullptr;
   const std::vector<double> edges = numbers(*recorded);
   if (edges.size() < 3 || edges.front() != 0 || !std::ranges::is_sorted(edges, std::less_equal<>()))
     throw DataError("contact_layer_edges", "it must rise from 0");
   const Index layers = std::ssize(edges) - 1, cells = grid.shape.cells();
-  const bool counter = body == 2 && data.has("plastic_strain_counter_xx");
+  const bool counter = options.body == 2 && data.has("plastic_strain_counter_xx");
+  constexpr double copies_read = 3 * sizeof(double);  // of one component
+  options.memory.require(
+      ResidualStress::memory(grid.shape, edges) + copies_read * static_cast<double>(layers * cells),
+      "plastic_strain");
   LayeredField strain(layers, deviator::components, grid.shape);
   for (const stress::Component c : stress::components) {
     const std::string name =
@@ -86,16 +90,15 @@ std::shared_ptr<const ResidualStress> residual_of(const Dataset& data, const Gri
     if (!values)
       throw DataError(name,
                       "the dataset has contact_layer_edges, but not this strain of the body that flows");
-    stress::Tensor unit{};
-    unit[c] = 1;
-    const deviator::Vector weights = deviator::of(unit);
+    const deviator::Vector weights = deviator::of(c);
     for (Index k = 0; k < layers; ++k)
       for (Index d = 0; d < deviator::components; ++d)
         if (weights[size(d)] != 0)
           strain(k, d) += weights[size(d)] *
                           Eigen::Map<const Field>(values->data() + k * cells, grid.shape.nx, grid.shape.ny);
   }
-  return std::make_shared<ResidualStress>(grid, edges, strain, of_body("contact_young"), poisson, threads);
+  return std::make_shared<ResidualStress>(grid, edges, strain, of_body("contact_young"), poisson,
+                                          options.threads);
 }
 
 // In rows from `first` on.
@@ -155,7 +158,7 @@ StressScene scene_of(const StressOptions& options, Dataset data, const Ranks& ra
                      fmt::format("has flown: its residual stress cannot be computed by {} ranks; start one "
                                  "process",
                                  ranks.count()));
-  scene.residual = residual_of(scene.data, grid, options.body, poisson, options.threads);
+  scene.residual = residual_of(scene.data, grid, poisson, options);
   return scene;
 }
 
