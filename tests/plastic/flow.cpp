@@ -41,6 +41,31 @@ double half_side(double approach) {
   return 1.5 * std::sqrt(approach * std::pow(approach / 1.9, 0.15) * first_approach);
 }
 
+// Load over that at which it yields, and dent over approach, pressed to six times the approach at which it
+// yields.
+struct Pressed {
+  double load, dent;
+
+  Pressed over(const Pressed& other) const { return {load / other.load - 1, dent / other.dent - 1}; }
+};
+
+Pressed pressed_to_six(Index cells, std::vector<double> edges, int increments) {
+  Scene scene = sphere(cells, half_side(6));
+  scene.parameters.edges = std::move(edges);
+  scene.parameters.tolerance = 1e-6;
+  PlasticContact contact = scene.made();
+  contact.go_to({.approach = 6 * first_approach}, increments);
+  return {contact.contact().load / first_load, contact.displacement(0).maxCoeff() / (6 * first_approach)};
+}
+
+// As deep as it flows.
+std::vector<double> uniform_layers(Index count) {
+  std::vector<double> out{0};
+  for (Index k = 1; k <= count; ++k)
+    out.push_back(0.0369 * static_cast<double>(k) / static_cast<double>(count));
+  return out;
+}
+
 // Waves of 8 to 24 cells, smooth and the same at every run, mirrored at will.
 Field waves(const Grid& grid, double height, bool mirrored = false) {
   return sample(grid, [&](double x, double y) {
@@ -223,6 +248,48 @@ TEST_CASE("periodic contacts far apart flow as one alone", "[plastic][law][slow]
     const double dent = alone.maxCoeff() - alone.minCoeff();
     CHECK(u.maxCoeff() - u.minCoeff() == Approx(dent).epsilon(periodic.both() ? 0.03 : 0.005));
     CHECK(largest == Approx(peak).epsilon(0.005));
+  }
+}
+
+// By Richardson's extrapolation of the last two.
+TEST_CASE(
+    "a sphere's load and dent converge in the increments at order 1, 0.024 and 0.137 over their number low",
+    "[plastic][order][slow]") {
+  const std::vector<double> edges = graded_layers(0.0369, 0.001, 8);
+  const Pressed coarse = pressed_to_six(15, edges, 8), middle = pressed_to_six(15, edges, 16),
+                fine = pressed_to_six(15, edges, 32),
+                exact{2 * fine.load - middle.load, 2 * fine.dent - middle.dent};
+  for (const auto& [n, p] : {std::pair{8, coarse}, {16, middle}}) {
+    const auto [load, dent] = p.over(exact);
+    CAPTURE(n, load, dent);
+    CHECK(std::abs(n * load + 0.024) <= 0.002);
+    CHECK(std::abs(n * dent + 0.137) <= 0.008);
+  }
+}
+
+// Errors of both signs, as the bottom of what flows comes and goes with layers.
+TEST_CASE("a sphere's load and dent converge in n layers at order 2, within 0.2/n² and 2/n²",
+          "[plastic][order][slow]") {
+  const Pressed exact = pressed_to_six(15, uniform_layers(64), 2);
+  for (const Index n : {8, 16, 32}) {
+    const auto [load, dent] = pressed_to_six(15, uniform_layers(n), 2).over(exact);
+    const auto square = static_cast<double>(n * n);
+    CAPTURE(n, load, dent);
+    CHECK(std::abs(load) <= 0.2 / square);
+    CHECK(std::abs(dent) <= 2 / square);
+  }
+}
+
+// Irregular, as the edge of the contact comes and goes with cells. The domain is three radii wide.
+TEST_CASE("a sphere's load and dent converge in n cells a side at order 3/2, within 0.4 n⁻¹·⁵ and 0.5 n⁻¹·⁵",
+          "[plastic][order][slow]") {
+  const std::vector<double> edges = graded_layers(0.0369, 0.001, 12);
+  const Pressed exact = pressed_to_six(39, edges, 2);
+  for (const Index n : {11, 15, 19}) {
+    const auto [load, dent] = pressed_to_six(n, edges, 2).over(exact);
+    CAPTURE(n, load, dent);
+    CHECK(std::abs(load) <= 0.4 * std::pow(n, -1.5));
+    CHECK(std::abs(dent) <= 0.5 * std::pow(n, -1.5));
   }
 }
 
