@@ -64,7 +64,7 @@ Parameters measure_flat(const Surface& flat, Group group, const MeasureOptions& 
     p.why.clear();
     if (p.name == "mean" || p.name == "N" || p.name == "N_missing" || p.name == "profiles") continue;
     const bool has_none = p.name.starts_with("summit_") || p.name.starts_with("nayak_") || p.unit == "m-1" ||
-                          p.name.starts_with("Smr_");
+                          p.name.substr(1).starts_with("mr_");
     p.value = !has_none && std::abs(twice[i].value) > std::abs(p.value) ? 0 : unknown;
     if (std::isnan(p.value)) p.why = "no value: the surface is flat";
   }

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
+#include "stats/filter/missing.hpp"
 #include "stats/measure/groups.hpp"
 
 namespace asperity {
@@ -73,6 +74,36 @@ std::string why_no_profile_error(const SequenceMean& of) {
          " independent, fewer than " + shortest(SequenceMean::least_independent);
 }
 
+// The material ratio at a height above the mean of each profile.
+SequenceMean ratio_of_profiles(const Sample& sample, Axis1D along, double c, double independent) {
+  const Field& z = sample.surface().heights;
+  const bool x = along == Axis1D::x;
+  auto ratio = [&](Index i) {
+    const Field profile = x ? Field(z.col(i)) : Field(z.row(i));
+    const ValidSum sum = sum_of_valid(profile);
+    return sum.count < 2 ? unknown : MaterialRatioCurve(profile).ratio(sum.sum / sum.count + c);
+  };
+  return sequence_mean(Eigen::ArrayXd::NullaryExpr(x ? z.cols() : z.rows(), ratio), independent,
+                       x ? sample.grid().periodic.y : sample.grid().periodic.x);
+}
+
+// Those of a spread that is round-off have no error.
+SequenceMean without_round_off(SequenceMean of, double scale) {
+  if (constexpr double rounding = 1e-12; !(of.spread > rounding * scale)) {
+    of.of_mean.error = of.of_spread.error = unknown;
+    of.spread *= 0;
+  }
+  return of;
+}
+
+// The mean, and the spread.
+void add_rows(ParameterList& out, const std::string& symbol, const Definition1D& row, const SequenceMean& of,
+              Words words) {
+  out.add(symbol, row.unit, row.meaning, with_error(of.mean, of.of_mean, row.least, row.most), words);
+  words.meaning = symbol;
+  out.add(symbol + "_spread", row.unit, "standard deviation of {} over the profiles", spread_of(of), words);
+}
+
 std::string axis_of(const Sample& sample, const MeasureOptions& options) {
   const bool x = options.profiles == Axis1D::x;
   const std::string axis = x ? "x" : "y";
@@ -94,14 +125,7 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
   for (std::size_t k = 0; k < table.size(); ++k) {
     const auto i = static_cast<Index>(k);
     if (i == profile_dq && sample.surface().units != "m") continue;
-    const auto& [name, unit, meaning, least, most] = table[k];
-    const std::string symbol = prefix + name;
-    SequenceMean of = averages.of[k];
-    if (constexpr double rounding = 1e-12;
-        !(of.spread > rounding * (i == profile_sk ? 1 : std::abs(of.mean)))) {
-      of.of_mean.error = of.of_spread.error = unknown;
-      of.spread *= 0;
-    }
+    SequenceMean of = without_round_off(averages.of[k], i == profile_sk ? 1 : std::abs(averages.of[k].mean));
     const std::string why =
         i < profile_5p ? "no value: no profile has this parameter" : "no value: no profile has five of them";
     std::string no_error = why_no_profile_error(of);
@@ -110,12 +134,18 @@ Parameters profile_averages(const Sample& sample, const MeasureOptions& options)
     if (const std::string steps = steps_in_slopes(step, 0.098 * std::pow(step / spacing / of.mean, 2));
         i == profile_dq && !steps.empty())
       of.of_mean.error = of.of_spread.error = unknown, no_error = "no standard error: " + steps;
-    out.add(symbol, unit, meaning, with_error(of.mean, of.of_mean, least, most),
-            {.meaning = shortest(options.material_ratios[i == profile_mc_q ? 1 : 0]),
-             .why = why,
-             .why_no_error = no_error});
-    out.add(symbol + "_spread", unit, "standard deviation of {} over the profiles", spread_of(of),
-            {.meaning = symbol, .why = why, .why_no_error = no_error});
+    add_rows(out, prefix + table[k].symbol, table[k], of,
+             {.meaning = shortest(options.material_ratios[i == profile_mc_q ? 1 : 0]),
+              .why = why,
+              .why_no_error = no_error});
+  }
+  for (const auto& [c, text] : options.material_heights) {
+    const SequenceMean of = without_round_off(
+        ratio_of_profiles(sample, options.profiles, c, averages.independent / averages.profiles), 1);
+    add_rows(out, prefix + "mr_" + text, {"", "1", "material ratio at {} above the mean", 0, 1}, of,
+             {.meaning = text,
+              .why = "no value: no profile has this parameter",
+              .why_no_error = why_no_profile_error(of)});
   }
   out.add("profiles", "1", "number of profiles along {}", {averages.profiles}, {.meaning = axis});
   out.add("profiles_eff", "1", "effective number of independent profiles", {averages.independent},

@@ -146,6 +146,13 @@ TEST_CASE("the material ratio parameters of a profile are those of a surface of 
   const Eigen::ArrayXd row = z.row(0).transpose();
   const Parameters surface = measure({.grid = grid(1, 300), .heights = z}, {.groups = {Group::material}});
   const ProfileParameters p = profile_parameters(row, 1, whole, false);
+  const MeasureOptions at{
+      .groups = {Group::material}, .material_heights = {{0.4, "c"}}, .profiles = Axis1D::y};
+  Field two = z.replicate(2, 1);
+  two.row(1) += 3;
+  const Sample both(prepared({.grid = grid(2, 300), .heights = two}, {}));
+  CHECK(std::abs(named(profile_averages(both, at), "Pmr_c").value -
+                 named(measure({.grid = grid(1, 300), .heights = z}, at), "Smr_c").value) <= 1e-9);
   for (const auto& [k, name] : {std::pair{profile_k, "Sk"},
                                 {profile_pk, "Spk"},
                                 {profile_vk, "Svk"},

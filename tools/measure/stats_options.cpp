@@ -91,7 +91,7 @@ void StatsOptions::declare(Tool& tool) {
       "and Vvv are Vm(p) and Vv(p)",
       "Parameters");
   tool.text("--material-height", material_heights, "C,...",
-            "Heights above the mean at which the material ratio is printed, Smr(c): 0.5um,-1um",
+            "Heights above the mean, or that of each profile, at which Smr(c) is printed: 0.5um,-1um",
             "Parameters");
   pruning_option(tool, pruning, "Parameters");
   tool.number("--sal-level", measured.sal_level, "Level of R / R(0,0) that defines Sal and Str",
@@ -145,8 +145,7 @@ std::set<Group> StatsOptions::asked_groups() const {
 }
 
 void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& asked) const {
-  for (const char* areal :
-       {"parameters", "quantiles", "material-height", "sal-level", "pruning", "direction"})
+  for (const char* areal : {"parameters", "quantiles", "sal-level", "pruning", "direction"})
     if (!profile.empty() && tool.given(std::string("--") + areal))
       throw UsageError(areal, "cannot be combined with --profile");
   for (const auto& [option, group, name] : {std::tuple{"material-ratio", Group::material, "material"},
@@ -156,7 +155,7 @@ void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& aske
                                             {"direction", Group::hybrid, "hybrid"}})
     if (tool.given(std::string("--") + option) && !asked.contains(group) && profile.empty())
       throw UsageError(option, std::string("needs --parameters ") + name +
-                                   (option == std::string("material-ratio") ? " or --profile" : ""));
+                                   (group == Group::material ? " or --profile" : ""));
 }
 
 }  // namespace asperity::cli
