@@ -1,8 +1,8 @@
 /// Solves the autocorrelation equations for the moving-average kernel of a random surface.
 #include "dataset/layout.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/surface/kernel_solution.hpp"
 #include "tools/surface/periodic_kernel.hpp"
-#include "tools/surface/prospect.hpp"
 
 using namespace asperity;
 

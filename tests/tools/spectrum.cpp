@@ -60,7 +60,7 @@ TEST_CASE("the ensemble has the rms slope that was prescribed, as asperity-stats
   }
 }
 
-// (1) of tools/surface/height_options.hpp, of the correlation on record.
+// (1) of tools/surface/kernel_options.hpp, of the correlation on record.
 TEST_CASE("the height follows from the slope by the correlation of neighbours, drawn from a kernel too",
           "[slope][exact]") {
   const auto slope_on_record = [](const std::string& name) {

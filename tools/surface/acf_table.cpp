@@ -93,35 +93,6 @@ std::optional<Shape> period_of(const Dataset& data, const std::string& name, con
   return period && has_all_lags(half_plane, *period) ? period : std::nullopt;
 }
 
-AcfTable from_dataset(Dataset&& data) {
-  const std::string name = data.has("acf") ? "acf" : "acf_target";
-  if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
-  AcfTable out;
-  Field table = table_of(data, name, "", Missing::not_a_number);
-  const Index lag_zero = table.cols() / 2;
-  const bool whole = !table.isNaN().any();
-  out.half_plane = whole ? std::move(table) : known_lags(table);
-  out.left_out = name == "acf" && !whole && out.half_plane.size() < table.size();
-  target_of_table(out.half_plane);
-  const Variable& variable = data.at(name);
-  const Index middle = out.half_plane.cols() / 2;
-  const std::string &rows = variable.dimensions[0], &columns = variable.dimensions[1];
-  if (data.has(rows) != data.has(columns) && std::min(data.length(rows), data.length(columns)) > 1)
-    refuse("its lags " + (data.has(rows) ? columns : rows) +
-           " have no coordinate, but those of the other axis do");
-  out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
-                                step_of(data, variable.dimensions[1], lag_zero));
-  out.rms = rms_of(out.half_plane(0, middle), unit_of(variable));
-  if (name == "acf") {
-    if (std::isnan(out.rms)) out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
-    out.heights = measured_with_acf(data);
-  }
-  out.period = period_of(data, name, out.half_plane);
-  out.positive_definite = name == "acf" && !out.period && data.attributes.find("acf_taper") != nullptr;
-  out.dataset = std::move(data);
-  return out;
-}
-
 // ---- text ----
 
 // Of the last comment that names them.
@@ -186,7 +157,34 @@ std::optional<Shape> AcfTable::period_on(Shape periodic) const {
   return any_period && periodic != Shape{} && has_all_lags(half_plane, periodic) ? periodic : period;
 }
 
-AcfTable acf_table_of(Dataset data) { return from_dataset(std::move(data)); }
+AcfTable acf_table_of(Dataset data) {
+  const std::string name = data.has("acf") ? "acf" : "acf_target";
+  if (!data.has(name)) refuse("the dataset has none; asperity-acf adds it");
+  AcfTable out;
+  Field table = table_of(data, name, "", Missing::not_a_number);
+  const Index lag_zero = table.cols() / 2;
+  const bool whole = !table.isNaN().any();
+  out.half_plane = whole ? std::move(table) : known_lags(table);
+  out.left_out = name == "acf" && !whole && out.half_plane.size() < table.size();
+  target_of_table(out.half_plane);
+  const Variable& variable = data.at(name);
+  const Index middle = out.half_plane.cols() / 2;
+  const std::string &rows = variable.dimensions[0], &columns = variable.dimensions[1];
+  if (data.has(rows) != data.has(columns) && std::min(data.length(rows), data.length(columns)) > 1)
+    refuse("its lags " + (data.has(rows) ? columns : rows) +
+           " have no coordinate, but those of the other axis do");
+  out.spacing = spacing_of_lags(data, step_of(data, variable.dimensions[0], 0),
+                                step_of(data, variable.dimensions[1], lag_zero));
+  out.rms = rms_of(out.half_plane(0, middle), unit_of(variable));
+  if (name == "acf") {
+    if (std::isnan(out.rms)) out.rms = std::sqrt(data.attributes.number("acf_variance", NAN));
+    out.heights = measured_with_acf(data);
+  }
+  out.period = period_of(data, name, out.half_plane);
+  out.positive_definite = name == "acf" && !out.period && data.attributes.find("acf_taper") != nullptr;
+  out.dataset = std::move(data);
+  return out;
+}
 
 AcfTable read_acf_table(const std::string& name, const MemoryBound& memory) {
   const Bytes bytes = read_all(name, memory);

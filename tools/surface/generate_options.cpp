@@ -10,8 +10,8 @@
 #include "stats/measure/surface.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/stream.hpp"
+#include "tools/surface/kernel_solution.hpp"
 #include "tools/surface/periodic_kernel.hpp"
-#include "tools/surface/prospect.hpp"
 
 namespace asperity::cli {
 

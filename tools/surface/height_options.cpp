@@ -1,9 +1,8 @@
-#include "tools/surface/height_options.hpp"
-
 #include <algorithm>
 
 #include "core/words.hpp"
 #include "tools/cli/quantity.hpp"
+#include "tools/surface/kernel_options.hpp"
 
 namespace asperity::cli {
 namespace {

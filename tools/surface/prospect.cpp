@@ -1,5 +1,3 @@
-#include "tools/surface/prospect.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "acf/kernel.hpp"
 #include "core/words.hpp"
 #include "marginal/johnson.hpp"
+#include "tools/surface/kernel_solution.hpp"
 
 namespace asperity::cli {
 namespace {
@@ -91,7 +90,7 @@ void warn_of_cost(const Tool& tool, const KernelRequest& request, bool kept) {
             : "; shorter lengths, wider samples or a larger --acf-tolerance"));
 }
 
-// (1) of prospect.hpp, of not more than 64 lags each way.
+// (1) of foresee(), of not more than 64 lags each way.
 double mean_correlation(const Target& target, Shape surface) {
   const Index step_x = (surface.nx + 63) / 64, step_y = (surface.ny + 63) / 64;
   double sum = 0, weights = 0;
