@@ -8,7 +8,6 @@
 #include "tools/cli/record.hpp"
 #include "tools/cli/section.hpp"
 #include "tools/stress/maximum.hpp"
-#include "tools/stress/points.hpp"
 #include "tools/stress/writer.hpp"
 
 using namespace asperity;

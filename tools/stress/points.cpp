@@ -1,4 +1,4 @@
-#include "tools/stress/points.hpp"
+#include "stress/points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +10,11 @@
 
 #include "core/parallel.hpp"
 #include "core/words.hpp"
-#include "stress/points.hpp"
 #include "tools/cli/plain_text.hpp"
 #include "tools/cli/quantity.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/table.hpp"
+#include "tools/stress/writer.hpp"
 
 namespace asperity::cli {
 namespace {
