@@ -4,8 +4,8 @@
 
 #include "core/os.hpp"
 #include "dataset/unread.hpp"
-#include "tools/cli/file_identity.hpp"
 #include "tools/cli/ordered_work.hpp"
+#include "tools/cli/output_name.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/measure/twin_options.hpp"
 #include "tools/surface/drawing.hpp"

@@ -8,7 +8,7 @@
 #include "core/words.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/units.hpp"
-#include "tools/cli/file_identity.hpp"
+#include "tools/cli/output_name.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/surface_words.hpp"
 #include "tools/cli/tool.hpp"

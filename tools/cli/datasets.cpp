@@ -8,7 +8,6 @@
 #include "dataset/catalogue.hpp"
 #include "dataset/layout.hpp"
 #include "dataset/netcdf.hpp"
-#include "tools/cli/file_identity.hpp"
 #include "tools/cli/messages.hpp"
 #include "tools/cli/options.hpp"
 #include "tools/cli/ordered_work.hpp"

@@ -97,7 +97,7 @@ class Datasets {
   struct Output {
     std::string option, name;
   };
-  std::map<std::string, Output> outputs_;  ///< by what they are (cli/file_identity.hpp)
+  std::map<std::string, Output> outputs_;  ///< by what they are (cli/output_name.hpp)
   InputFormat format_;
   bool takes_input_ = false, reads_ = false, writes_dataset_ = false, writes_any_ = false,
        writes_table_ = false, reports_ = false, result_is_dataset_ = false, json_ = false,

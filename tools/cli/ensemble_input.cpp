@@ -18,7 +18,7 @@
 #include "dataset/unread.hpp"
 #include "formats/format.hpp"
 #include "formats/text_numbers.hpp"
-#include "tools/cli/file_identity.hpp"
+#include "tools/cli/output_name.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/surface_words.hpp"

@@ -22,7 +22,7 @@
 #include "core/os.hpp"
 #include "core/words.hpp"
 #include "formats/gzip.hpp"
-#include "tools/cli/file_identity.hpp"
+#include "tools/cli/output_name.hpp"
 
 namespace asperity::cli {
 namespace {

@@ -3,7 +3,7 @@
 /// A file gets its name when it is complete. Until then it has none, or a temporary one next to its own where
 /// the system has no unnamed files: nobody sees half of it, and an interrupted run leaves nothing behind. It
 /// replaces a former file with its mode, and its owner and group where permitted; a write-protected file is
-/// not replaced, as with cp. A device, a pipe or an open file (cli/file_identity.hpp) is written from its
+/// not replaced, as with cp. A device, a pipe or an open file (cli/output_name.hpp) is written from its
 /// present position. Every write is checked, also the last flush; failures are std::system_error with a name.
 #pragma once
 
