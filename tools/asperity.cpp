@@ -1,6 +1,5 @@
 // The tools by one name: a list of them, their manual, the pages of the documentation, and each as a command.
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -12,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/os.hpp"
-#include "tools/cli/hints.hpp"
+#include "tools/cli/documents.hpp"
 #include "tools/cli/program.hpp"
 #include "tools/cli/stream.hpp"
 #include "tools/cli/tool.hpp"

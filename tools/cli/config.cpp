@@ -1,5 +1,4 @@
-#include "tools/cli/config.hpp"
-
+// Options in a file, read and printed.
 #include <algorithm>
 #include <sstream>
 #include <toml++/toml.h>

@@ -1,7 +1,9 @@
 /// What a tool prints about itself, from CLI11's list of its options: two lengths of help, the manual page,
-/// completions for shells, and a description for programs.
+/// completions for shells, a description for programs, and a file of the options; and what a user meant by an
+/// option that it does not have.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +12,10 @@
 
 namespace CLI {
 class App;
-}
+class Config;
+class ConfigError;
+class Error;
+}  // namespace CLI
 
 namespace asperity::cli {
 
@@ -59,5 +64,38 @@ std::string description(const CLI::App& app, const Documents& more);
 std::string bash_completion(const CLI::App& app);
 /// A function _TOOL for a folder of fpath.
 std::string zsh_completion(const CLI::App& app);
+
+// ---- the file of --config, cli/config.cpp ----
+
+/// Reads options from a file: the flat part of TOML 1.0, one `key = value` for an option and its long name.
+///
+///     # comment
+///     size = "3mm,2mm"        a text, with the escapes \" \\ \n \t, or 'literal'
+///     threads = 2             a number, as TOML writes it
+///     periodic = true         a flag
+///     INPUT = ["a.nc", "b.nc"]
+///
+/// Tables, dates and text that is not TOML are errors that name the key or the line. toml++ recurses once per
+/// part of a dotted key: a key has at most 8 parts, a file at most 1 MiB.
+std::shared_ptr<CLI::Config> config_reader();
+/// The options that were given, and as comments the defaults of others: read back, they give the same run.
+std::string config_text(const CLI::App& app);
+
+// ---- slips of the pen, cli/hints.cpp; docs/options.md lists all options ----
+
+/// "there is no option --lenght: did you mean --length?", of "--lenght" or, in a file, "lenght".
+std::string unknown_option(const CLI::App& app, const std::string& option);
+
+/// ": did you mean contact?" of "contct"; "" where no tool is called nearly so.
+std::string nearest_tool(const std::string& word);
+
+/// Of any tool, "--size".
+bool is_option(const std::string& name);
+/// "; asperity-convert has --size"; "" of an option that neither this nor asperity-filter has.
+std::string tool_with(const std::string& option);
+
+/// The message of an error of CLI11.
+std::string in_words(const CLI::Error& error);
+std::string in_words(const CLI::App& app, const CLI::ConfigError& error);
 
 }  // namespace asperity::cli

@@ -1,5 +1,4 @@
-#include "tools/cli/hints.hpp"
-
+// What was meant by an option or a tool that there is not.
 #include <algorithm>
 #include <numeric>
 #include <string_view>

@@ -6,7 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "core/words.hpp"
-#include "tools/cli/hints.hpp"
+#include "tools/cli/documents.hpp"
 #include "tools/cli/options.hpp"
 #include "tools/cli/ordered_work.hpp"
 #include "tools/cli/progress.hpp"

@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "core/words.hpp"
-#include "tools/cli/config.hpp"
 #include "tools/cli/documents.hpp"
 #include "tools/cli/record.hpp"
 #include "tools/cli/stream.hpp"

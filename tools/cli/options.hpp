@@ -6,12 +6,11 @@
 ///     options.parse(argc, argv);
 ///
 /// A value comes from the command line, else the environment variable ASPERITY_<TOOL>_<OPTION> (upper case,
-/// hyphens as underscores), else the --config file (cli/config.hpp), else its default. An error names where a
-/// wrong value came from. Options that are steps keep their order, and one may come again.
+/// hyphens as underscores), else the --config file (cli/documents.hpp), else its default. An error names
+/// where a wrong value came from. Options that are steps keep their order, and one may come again.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>

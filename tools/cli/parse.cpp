@@ -10,9 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/words.hpp"
-#include "tools/cli/config.hpp"
 #include "tools/cli/documents.hpp"
-#include "tools/cli/hints.hpp"
 #include "tools/cli/options.hpp"
 #include "tools/cli/record.hpp"
 
