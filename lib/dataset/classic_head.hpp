@@ -12,7 +12,6 @@
 /// The NetCDF Users Guide, appendix B: File Format Specifications.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>

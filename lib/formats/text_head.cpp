@@ -1,7 +1,6 @@
 #include "formats/text_head.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "formats/text_numbers.hpp"

@@ -23,7 +23,6 @@
 /// measured surface. A single line along x is written as a profile, which Gwyddion 2.62 does not read.
 ///
 /// ISO 25178-72:2017, Geometrical product specifications: Surface texture: Areal, part 72, XML file format
-#include <cmath>
 #include <vector>
 
 #include <pugixml.hpp>

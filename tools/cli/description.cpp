@@ -1,6 +1,5 @@
 // What a tool is and takes, as JSON for programs that call it.
 #include <array>
-#include <map>
 #include <string_view>
 
 #include <CLI/CLI.hpp>

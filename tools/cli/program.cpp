@@ -12,7 +12,6 @@
 #include <system_error>
 #include <thread>
 #include <unistd.h>
-#include <utility>
 
 #include "tools/cli/quantity.hpp"
 #include "tools/cli/sandbox.hpp"

@@ -1,7 +1,6 @@
 /// A contact from its scene: solved once, or on finer cells until the errors of the grid are small enough.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
