@@ -8,12 +8,14 @@
 
 #include "dataset/layout.hpp"
 #include "stats/measure.hpp"
+#include "stats/measure/scales.hpp"
 #include "stats/measure/spectra.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/cli/lineage.hpp"
 #include "tools/cli/surface_words.hpp"
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
+#include "tools/measure/preparation_words.hpp"
 
 using namespace asperity;
 
@@ -21,12 +23,22 @@ namespace {
 
 struct Options {
   std::string window = "auto";
-  cli::ResultOption result{{"profiles", "radial"}};
+  double tip_radius = INFINITY;
+  cli::ResultOption result{{"profiles", "radial", "scales"}};
 
   DataWindows windows(const Grid& grid) const {
     if (window == "auto") return default_windows(grid);
     const DataWindow both = window == "hann" ? DataWindow::hann : DataWindow::none;
     return {both, both};
+  }
+  void check(cli::Tool& tool) const {
+    result.check(tool);
+    if (!tool.given("--tip-radius")) return;
+    if (!(tip_radius > 0)) throw cli::UsageError("tip-radius", "is not above 0 m");
+    if (result.dataset())
+      throw cli::UsageError("tip-radius", "needs --result scales, --result profiles or --result radial");
+    if (tool.given("--lambda-s"))
+      throw cli::UsageError("tip-radius", "needs heights as the tip left them, but --lambda-s smooths them");
   }
 };
 
@@ -41,13 +53,17 @@ std::vector<cli::Column> of_errors(const std::string& unit) {
           {"no_error", ""}};
 }
 
-std::vector<cli::Cell> cells(const SpectrumPoint& point) {
+std::string word(NoError why) { return why == NoError::none ? "-" : reason(why); }
+
+// Waves and scales below `least` are not the surface's.
+std::vector<cli::Cell> cells(SpectrumPoint point, double least) {
+  if (point.wave_number * least > 2 * std::numbers::pi)
+    point.no_error = NoError::tip, point.standard_error = NAN;
   const Interval ends = point.interval();
-  const bool known = point.no_error == NoError::none;
-  return {point.density, point.standard_error, ends.low, ends.high, known ? "-" : reason(point.no_error)};
+  return {point.density, point.standard_error, ends.low, ends.high, word(point.no_error)};
 }
 
-cli::Table radial(const Sample& sample, const DataWindows& windows) {
+cli::Table radial(const Sample& sample, const DataWindows& windows, double least) {
   const Surface& surface = sample.surface();
   cli::Table out{{{"wave_number", per_length}}, {}};
   std::ranges::copy(of_errors(cli::density_units(surface.units, 2)), std::back_inserter(out.columns));
@@ -55,7 +71,7 @@ cli::Table radial(const Sample& sample, const DataWindows& windows) {
   for (const SpectrumPoint& ring : radial_spectrum(sample, windows)) {
     std::vector<cli::Cell>& row = out.rows.emplace_back();
     row.emplace_back(ring.wave_number);
-    std::ranges::copy(cells(ring), std::back_inserter(row));
+    std::ranges::copy(cells(ring, least), std::back_inserter(row));
     row.emplace_back(ring.count);
   }
   if (out.rows.empty())
@@ -66,7 +82,7 @@ cli::Table radial(const Sample& sample, const DataWindows& windows) {
   return out;
 }
 
-cli::Table profiles(const Sample& sample, const DataWindows& windows) {
+cli::Table profiles(const Sample& sample, const DataWindows& windows, double least) {
   cli::Table out{{{"direction", ""}, {"wave_number", per_length}}, {}};
   std::ranges::copy(of_errors(cli::density_units(sample.surface().units, 1)),
                     std::back_inserter(out.columns));
@@ -74,12 +90,52 @@ cli::Table profiles(const Sample& sample, const DataWindows& windows) {
     for (const SpectrumPoint& point : profile_spectrum(sample, axis, window)) {
       std::vector<cli::Cell>& row = out.rows.emplace_back();
       row.emplace_back(direction), row.emplace_back(point.wave_number);
-      std::ranges::copy(cells(point), std::back_inserter(row));
+      std::ranges::copy(cells(point, least), std::back_inserter(row));
     }
   };
   add("x", Axis1D::x, windows.x);
   add("y", Axis1D::y, windows.y);
   return out;
+}
+
+// Of a derivative of order d.
+std::string unit_of_derivative(const std::string& unit, int order) {
+  if (unit == "m") return order == 0 ? "m" : order == 1 ? "1" : "m-1";
+  const std::string per = order == 0 ? "" : "m-" + std::to_string(order);
+  return unit == "1" && order > 0 ? per : unit + (order > 0 ? " " : "") + per;
+}
+
+cli::Table scales(const Sample& sample, const DataWindows& windows, double least) {
+  cli::Table out{{{"quantity", ""}, {"direction", ""}, {"scale", "m"}, {"unit", ""}}, {}};
+  std::ranges::copy(of_errors("SI"), std::back_inserter(out.columns));
+  out.columns[4] = {"value", "SI", cli::Holds::unknown};
+  for (ScalePoint& at : by_scale(sample, windows)) {
+    if (at.scale < least) at.no_error = NoError::tip, at.estimate = {at.estimate.value};
+    const Interval ends = at.estimate.interval.value_or(Interval());
+    out.rows.push_back({at.quantity, at.axis == Axis1D::x ? "x" : "y", at.scale,
+                        unit_of_derivative(sample.surface().units, at.order), at.estimate.value,
+                        at.estimate.standard_error, ends.low, ends.high, word(at.no_error)});
+  }
+  if (out.rows.empty())
+    throw DataError("heights", "no scale fits a field of " + cli::described(sample.grid()) +
+                                   ": scales need a side of 4 points; use --result profiles");
+  return out;
+}
+
+// The scale from which on a tip has left the surface as it was; 0 without one.
+double least_scale(const cli::Tool& tool, const Options& what, const Surface& surface, bool alone) {
+  if (!tool.given("--tip-radius")) return 0;
+  cli::check_lengths(surface, "the radius of a tip");
+  const double reliable = first_reliable_scale(surface, what.tip_radius);
+  if (!alone) return reliable;
+  const std::string tip = "a tip of " + cli::metres(what.tip_radius), scale = cli::metres(reliable);
+  if (reliable == 0)
+    tool.note(tip + " follows the surface at all scales of its grid");
+  else
+    tool.note(tip + " falsifies scales below " + scale +
+              ": they have no error here; asperity-stats --lambda-s " + scale +
+              " leaves them out of slopes, curvatures and summits");
+  return reliable;
 }
 
 // Writes psd, or another function of the wave numbers, in place of a former one.
@@ -98,20 +154,27 @@ void describe(Dataset& data, const Surface& surface, const DataWindows& windows)
   data.attributes.set("psd_window", windows.x == DataWindow::hann ? "hann" : "none");
 }
 
-cli::Table table(const cli::Tool& tool, const Options& what, Surface surface) {
+cli::Table table(const cli::Tool& tool, const Options& what, Surface surface, bool alone) {
   const DataWindows windows = what.windows(surface.grid);
   const bool flat = surface.flat;
+  const double least = flat ? 0 : least_scale(tool, what, surface, alone);
   const Sample sample = flat ? stand_in(surface) : Sample(std::move(surface), tool.thread_count());
-  cli::Table out = what.result.result == "profiles" ? profiles(sample, windows) : radial(sample, windows);
-  const auto psd = static_cast<std::size_t>(std::ranges::find(out.columns, "psd", &cli::Column::name) -
-                                            out.columns.begin());
+  const std::string& result = what.result.result;
+  cli::Table out = (result == "profiles" ? profiles
+                    : result == "radial" ? radial
+                                         : scales)(sample, windows, least);
+  const auto value = static_cast<std::size_t>(
+      std::ranges::find(out.columns, "standard_error", &cli::Column::name) - out.columns.begin() - 1);
   for (auto& row : out.rows)
-    if (flat) row[psd] = 0.0, row[psd + 1] = row[psd + 2] = row[psd + 3] = NAN, row[psd + 4] = "flat";
+    if (flat)
+      row[value] = 0.0, row[value + 1] = row[value + 2] = row[value + 3] = NAN, row[value + 4] = "flat";
   return out;
 }
 
 // What of these tables has a mean.
 cli::EnsembleTable::Content content_of(const cli::Table& one) {
+  if (one.columns[0].name == "quantity")
+    return {.keys = {"quantity", "direction", "scale", "unit"}, .value = "value", .reason = "no_error"};
   if (one.columns[0].name == "direction")
     return {.keys = {"direction", "wave_number"}, .value = "psd", .reason = "no_error"};
   return {.keys = {"wave_number", "count"}, .value = "psd", .reason = "no_error"};
@@ -169,11 +232,11 @@ Dataset mean_psd(const cli::Tool& tool, const cli::FieldOptions& field, const Op
 
 int measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
             cli::EnsembleInput& surfaces) {
-  what.result.check(tool);
+  what.check(tool);
   const cli::Several several{.variable = field.variable, .on_one_grid = "the mean at each wave number"};
   if (!what.result.dataset())
     return cli::print_table(tool, surfaces, several, &content_of, [&](const cli::EnsembleMember& member) {
-      return table(tool, what, field.read_flat(tool, member.data));
+      return table(tool, what, field.read_flat(tool, member.data), member.alone());
     });
   Dataset data = surfaces.resolve(tool) == 1 ? with_psd(tool, field, what, surfaces.only(tool))
                                              : mean_psd(tool, field, what, surfaces, several);
@@ -184,16 +247,25 @@ int measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what
 void declare(cli::Tool& tool, Options& what) {
   what.result.declare(
       tool,
-      "Write the dataset, or print profiles or rings. dataset: with the PSD added; profiles: the "
+      "Write the dataset, or print profiles, rings or scales. dataset: with the PSD added; profiles: the "
       "mean PSD of the profiles along x, and along y; radial: the mean over rings of wave "
-      "numbers");
+      "numbers; scales: rms heights, slopes and curvatures (second derivatives) along x and y, at octaves of "
+      "scale: of the waves from one wavelength to twice of it (band_height, band_slope, band_curvature), of "
+      "patches as long as the scale about lines through them (patch_height), and of differences over it "
+      "(distance_slope, distance_curvature)");
   tool.choice("--window", what.window, {"auto", "none", "hann"},
               "Window function; auto: Hann's, or none if the field is periodic", "Estimate");
+  tool.quantity(
+      "--tip-radius", what.tip_radius, "m",
+      "Radius of the tip that scanned the surface. Scales that it falsifies are told, and have no "
+      "error: those below the length at which a second difference is no lower than -1/2 of the tip's "
+      "curvature (Sanner et al. 2022)",
+      "Estimate");
   tool.table();
   tool.output();
   tool.threads();
-  tool.essential({"--result", "--window", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
-                  "--output", "--threads", "--from"});
+  tool.essential({"--result", "--window", "--tip-radius", "--variable", "--remove-form", "--lambda-s",
+                  "--lambda-c", "--json", "--output", "--threads", "--from"});
   tool.example(
       "asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-psd --result "
       "radial");
@@ -207,7 +279,8 @@ int main(int argc, char** argv) {
       "Measures the power spectral density (PSD) of a surface and adds it to the dataset: psd over "
       "wave_number_x >= 0 and wave_number_y of both signs, in m4, is (dx dy)^2 / (Lx Ly) |transform|^2 "
       "with a window of mean square 1. --result radial prints its mean over rings of wave numbers; "
-      "--result profiles prints the PSD of the profiles, in m3. For several surfaces each is the mean over "
+      "--result profiles prints the PSD of the profiles, in m3; --result scales rms heights, slopes and "
+      "curvatures by scale. For several surfaces each is the mean over "
       "them, "
       "with the standard error by their spread, of surfaces - 1 degrees of freedom of Student's t, and the "
       "spread expected from the errors of the single surfaces, and none where a bias of all of them exceeds "

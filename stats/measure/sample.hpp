@@ -42,6 +42,8 @@ class Sample {
   const CountedSummits& summits() const;
   /// The distribution that the field was drawn with or evidently has; none if that is a Gaussian's.
   std::optional<Translation> distribution() const;
+  /// Whether local amplitudes may vary: not of heights that were drawn from a Gaussian field.
+  bool amplitudes_may_vary() const { return basis().estimated || distribution(); }
   /// Whether the errors of moments follow from the correlation: where it is known, and Σ ρ > 0.
   bool correlation_gives_errors() const { return !basis().estimated && size_.sum(1) > 0; }
 

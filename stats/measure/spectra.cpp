@@ -5,12 +5,6 @@
 #include "stats/spectrum/resolution.hpp"
 
 namespace asperity {
-namespace {
-
-// Whether local amplitudes may vary: not of heights that were drawn from a Gaussian field.
-bool amplitudes_may_vary(const Sample& sample) { return sample.basis().estimated || sample.distribution(); }
-
-}  // namespace
 
 std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, DataWindow window) {
   const Surface& surface = sample.surface();
@@ -20,7 +14,7 @@ std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, D
   const SharedPower shared = shared_power(surface.heights, windows);
   auto out = profile_spectrum(psd, grid, axis, shared);
   pool_degrees(out, PointKind::profile);
-  if (amplitudes_may_vary(sample))
+  if (sample.amplitudes_may_vary())
     add_excess(out,
                profile_excess(surface.heights, grid, axis, psd, shared, sample.extent(), sample.threads()));
   const bool along_x = axis == Axis1D::x;
@@ -42,7 +36,7 @@ std::vector<SpectrumPoint> radial_spectrum(const Sample& sample, DataWindows win
   const SharedPower shared = shared_power(surface.heights, windows);
   auto out = radial_spectrum(psd, grid, shared);
   pool_degrees(out, PointKind::ring);
-  if (amplitudes_may_vary(sample))
+  if (sample.amplitudes_may_vary())
     add_excess(out, radial_excess(surface.heights, grid, psd, shared, sample.extent(), sample.threads()));
   if (!grid.periodic.both())
     judge_resolution(out, {PointKind::ring, grid.periodic.x ? windows.y : windows.x, surface.degree});

@@ -1,6 +1,7 @@
 #include "stats/spectrum/spectrum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -126,19 +127,9 @@ SharedPower shared_power(const Field& d, DataWindows windows) {
 }
 
 const char* reason(NoError why) {
-  switch (why) {
-    case NoError::form:
-      return "form";
-    case NoError::leakage:
-      return "leakage";
-    case NoError::resolution:
-      return "resolution";
-    case NoError::holes:
-      return "holes";
-    case NoError::none:
-      break;
-  }
-  return "";
+  // In the order of NoError.
+  constexpr std::array words{"", "form", "leakage", "resolution", "holes", "steps", "size", "flat", "tip"};
+  return words.at(static_cast<std::size_t>(why));
 }
 
 Interval SpectrumPoint::interval(double level) const {

@@ -97,8 +97,9 @@ LagField power_spectrum(const Field& d, const Grid& grid, DataWindows windows, i
 /// p > 0 count twice and all columns once.
 Field over_both_signs(const LagField& psd, const Grid& grid);
 
-/// Why a point of a spectrum has no error (stats/spectrum/resolution.hpp, holes.hpp).
-enum class NoError { none, form, leakage, resolution, holes };
+/// Why a point of a spectrum has no error (stats/spectrum/resolution.hpp, holes.hpp), or a value by scale
+/// (stats/measure/scales.hpp).
+enum class NoError { none, form, leakage, resolution, holes, steps, size, flat, tip };
 /// In one word; "" for none.
 const char* reason(NoError why);
 
