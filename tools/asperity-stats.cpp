@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 
+#include "stats/measure/instrument_noise.hpp"
 #include "stats/measure/pooled_maps.hpp"
 #include "tools/cli/ensemble_table.hpp"
 #include "tools/measure/height_tables.hpp"
@@ -80,6 +81,7 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, Measu
   Surface surface = field.read_flat(tool, member.data);
   asked.material_heights = options.heights_in(surface.units);
   if (surface.flat) {
+    if (!options.noise.empty()) throw DataError(surface.variable, "is flat: --noise takes nothing off it");
     Measured out;
     for (const Group group : asked.groups)
       for (Parameter& row : measure_flat(surface, group, asked)) out.rows.push_back(std::move(row));
@@ -87,6 +89,11 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, Measu
   }
   Sample sample(std::move(surface), tool.thread_count());
   Measured out = measured(tool, field.variable, asked, sample, options.errors != "none");
+  if (!options.noise.empty()) {
+    const double noise = cli::parse_quantity("noise", options.noise, sample.surface().units);
+    const Parameters freed = without_noise(out.rows, noise, sample, asked.direction);
+    out.rows.insert(out.rows.end(), freed.begin(), freed.end());
+  }
   if (options.errors == "none") drop_errors(out.rows);
   if (!member.alone() && !options.compare) out.sums = map_sums(sample, out.rows, asked);
   out.heights = asked.material_heights;
@@ -155,8 +162,8 @@ int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const 
 
 void document(cli::Tool& tool) {
   tool.essential({"--parameters", "--profile", "--quantiles", "--material-ratio", "--sal-level",
-                  "--direction", "--compare", "--variable", "--remove-form", "--lambda-s", "--lambda-c",
-                  "--json", "--output"});
+                  "--direction", "--compare", "--noise", "--variable", "--remove-form", "--lambda-s",
+                  "--lambda-c", "--json", "--output"});
   tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
 }
 

@@ -48,6 +48,15 @@ void comparison_option(Tool& tool, bool& compare) {
             "Parameters");
 }
 
+void noise_option(Tool& tool, std::string& noise) {
+  tool.text(
+      "--noise", noise, "SQ",
+      "Rms noise of the instrument, 2nm: adds rows NAME_without_noise of Sq, m0, Sdq, and of m2 and m4, "
+      "with their errors. It is white, independent from point to point; of two maps of one place, "
+      "their rms difference over the root of 2. Of several surfaces the mean of theirs, not pooled",
+      "Parameters");
+}
+
 }  // namespace
 
 void pruning_option(Tool& tool, std::string& pruning, const std::string& group) {
@@ -102,6 +111,7 @@ void StatsOptions::declare(Tool& tool) {
       "field's own long waves",
       "Parameters");
   direction_option(tool, direction, "Parameters");
+  noise_option(tool, noise);
   comparison_option(tool, compare);
 }
 
@@ -145,7 +155,7 @@ std::set<Group> StatsOptions::asked_groups() const {
 }
 
 void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& asked) const {
-  for (const char* areal : {"parameters", "quantiles", "sal-level", "pruning", "direction"})
+  for (const char* areal : {"parameters", "quantiles", "sal-level", "pruning", "direction", "noise"})
     if (!profile.empty() && tool.given(std::string("--") + areal))
       throw UsageError(areal, "cannot be combined with --profile");
   for (const auto& [option, group, name] : {std::tuple{"material-ratio", Group::material, "material"},
@@ -156,6 +166,11 @@ void StatsOptions::check_belonging(const Tool& tool, const std::set<Group>& aske
     if (tool.given(std::string("--") + option) && !asked.contains(group) && profile.empty())
       throw UsageError(option, std::string("needs --parameters ") + name +
                                    (group == Group::material ? " or --profile" : ""));
+  if (noise.empty()) return;
+  if (!asked.contains(Group::height) && !asked.contains(Group::hybrid))
+    throw UsageError("noise", "needs --parameters height or --parameters hybrid");
+  if (tool.given("--lambda-s"))
+    throw UsageError("noise", "is that of single points, but --lambda-s smooths them: leave one of them out");
 }
 
 }  // namespace asperity::cli

@@ -17,7 +17,7 @@ Pruning parse_pruning(const std::string& text);
 struct StatsOptions {
   FieldOptions field = {};
   std::vector<std::string> groups{"height"};
-  std::string quantiles = {}, direction = {}, pruning = "5%", material_heights = {};
+  std::string quantiles = {}, direction = {}, pruning = "5%", material_heights = {}, noise = {};
   MeasureOptions measured = {};  ///< those that need no further parsing
   std::string errors = "theory";
   bool compare = false;      ///< the first surface with the others
