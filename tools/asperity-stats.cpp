@@ -20,6 +20,7 @@ struct Measured {
   std::optional<EffectiveSampleSize> size = {};  ///< none of a flat one
   std::optional<MapSums> sums = {};              ///< of one of several, that is not flat
   std::vector<MaterialHeight> heights = {};
+  double noise = 0;                      ///< that was taken off some rows; none: 0
   std::string missing = {}, doubt = {};  ///< why it has no hybrid parameters; what they are doubted for
 };
 
@@ -89,14 +90,14 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, Measu
   }
   Sample sample(std::move(surface), tool.thread_count());
   Measured out = measured(tool, field.variable, asked, sample, options.errors != "none");
-  if (!options.noise.empty()) {
-    const double noise = cli::parse_quantity("noise", options.noise, sample.surface().units);
-    const Parameters freed = without_noise(out.rows, noise, sample, asked.direction);
-    out.rows.insert(out.rows.end(), freed.begin(), freed.end());
-  }
   if (options.errors == "none") drop_errors(out.rows);
   if (!member.alone() && !options.compare) out.sums = map_sums(sample, out.rows, asked);
   out.heights = asked.material_heights;
+  if (options.noise.empty()) return out;
+  out.noise = cli::parse_quantity("noise", options.noise, sample.surface().units);
+  check_noise(out.noise, sample);
+  const Parameters freed = without_noise(out.rows, out.noise, out.grid, asked.direction);
+  out.rows.insert(out.rows.end(), freed.begin(), freed.end());
   return out;
 }
 
@@ -108,13 +109,16 @@ class Mean {
     means_.add(one.rows);
     if (one.sums) pool_.add(*one.sums);
     heights_ = one.heights;
+    noise_ = one.noise;
   }
   const EnsembleParameters& of_estimates() const { return means_; }
   std::vector<EnsembleParameter> pooled(const Grid& grid) const {
     std::vector<EnsembleParameter> out = means_.all();
     if (pool_.maps() < means_.surfaces()) return out;
     const auto of_acf = [&](const LagField& rho) { return lobe_lengths(rho, grid, asked_.sal_level); };
-    take_pooled(out, pool_.all({asked_.quantiles, asked_.material_ratios, heights_, of_acf}), pool_.maps());
+    const Parameters pooled = pool_.all({asked_.quantiles, asked_.material_ratios, heights_, of_acf});
+    take_pooled(out, pooled, pool_.maps());
+    if (noise_ > 0) take_pooled(out, without_noise(pooled, noise_, grid, asked_.direction), pool_.maps());
     return out;
   }
 
@@ -123,6 +127,7 @@ class Mean {
   std::vector<MaterialHeight> heights_ = {};
   EnsembleParameters means_ = {};
   PooledMaps pool_ = {};
+  double noise_ = 0;
 };
 
 int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const cli::StatsOptions& options) {

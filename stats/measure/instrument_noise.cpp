@@ -63,15 +63,18 @@ Parameter freed(const Parameter& of, const Share& share) {
 
 }  // namespace
 
-Parameters without_noise(const Parameters& rows, double noise, const Sample& sample,
-                         const std::optional<Direction>& direction) {
+void check_noise(double noise, const Sample& sample) {
   const std::string& unit = sample.surface().units;
   if (!(noise > 0)) throw ParameterError("noise", "is not above 0 " + unit);
   if (const double sq = sample.moments().sq; !(noise < sq))
     throw ParameterError("noise", "is not below the Sq of " + sample.surface().variable + ", " + number(sq) +
                                       " " + unit + ": it is the rms difference of two maps of one place " +
                                       "over the root of 2");
-  const SpectralMoments of_noise = moments_of_noise(noise * noise, sample.grid());
+}
+
+Parameters without_noise(const Parameters& rows, double noise, const Grid& grid,
+                         const std::optional<Direction>& direction) {
+  const SpectralMoments of_noise = moments_of_noise(noise * noise, grid);
   Parameters out;
   for (const Parameter& row : rows)
     if (const Share share = share_of(row.name, of_noise, direction ? direction->angle : 0);

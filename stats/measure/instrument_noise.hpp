@@ -21,10 +21,12 @@
 
 namespace asperity {
 
+/// Throws ParameterError("noise", …) unless 0 < noise < Sq.
+void check_noise(double noise, const Sample& sample);
+
 /// Rows NAME_without_noise of Sq, m0, Sdq, and m2 and m4 in all directions, as far as they are there; without
-/// a value, and with the reason, where noise alone is as large. Throws ParameterError("noise", …) unless
-/// 0 < noise < Sq.
-Parameters without_noise(const Parameters& rows, double noise, const Sample& sample,
+/// a value, and with the reason, where noise alone is as large.
+Parameters without_noise(const Parameters& rows, double noise, const Grid& grid,
                          const std::optional<Direction>& direction = {});
 
 }  // namespace asperity

@@ -27,17 +27,20 @@ struct Lines {
     grid = {{grid.shape.ny, grid.shape.nx}, grid.dy, grid.dx, {grid.periodic.y, grid.periodic.x}};
   }
   Index points() const { return grid.shape.nx; }
-  // z(i + s), of the i that have z(i + reach).
-  Field shifted(Index s, Index reach) const {
-    const Index n = points();
-    Field out(grid.periodic.x ? n : n - reach, z.cols());
-    for (Index i = 0; i < out.rows(); ++i) out.row(i) = z.row((i + s) % n);
+  auto row(Index i) const { return z.row(i % points()); }
+  // For a stencil of `reach` points more.
+  Field field_of(Index reach) const { return {grid.periodic.x ? points() : points() - reach, z.cols()}; }
+  Field slopes(Index s) const {
+    Field out = field_of(s);
+    for (Index i = 0; i < out.rows(); ++i)
+      out.row(i) = (row(i + s) - row(i)) / (static_cast<double>(s) * grid.dx);
     return out;
   }
-  Field slopes(Index s) const { return (shifted(s, s) - shifted(0, s)) / (static_cast<double>(s) * grid.dx); }
   Field curvatures(Index s) const {
-    return (shifted(0, 2 * s) - 2 * shifted(s, 2 * s) + shifted(2 * s, 2 * s)) /
-           std::pow(static_cast<double>(s) * grid.dx, 2);
+    Field out = field_of(2 * s);
+    for (Index i = 0; i < out.rows(); ++i)
+      out.row(i) = (row(i) - 2 * row(i + s) + row(i + 2 * s)) / std::pow(static_cast<double>(s) * grid.dx, 2);
+    return out;
   }
   // Above the lines through patches of s points.
   Field above_lines(Index s) const {
@@ -97,11 +100,13 @@ class Distances {
     out.no_error = why_none(at, square);
     if (out.no_error == NoError::flat) out.estimate.value = 0;
     if (out.no_error != NoError::none) return out;
-    const LocalMeans means = means_of(at.values.square());
+    const LocalMeans means = mean_square(at.values);
     constexpr double points_a_wave = 10;
     if (!(squares.count > points_a_wave * static_cast<double>(means.waves())))
       return out.no_error = NoError::size, out;
     const WaveError error = means.error([](const Eigen::VectorXd& m) { return m(0); });
+    constexpr double round_off = 1e-12;
+    if (!(error.error > round_off * square)) return out.no_error = NoError::flat, out;
     out.estimate.standard_error = error.error / (2 * out.estimate.value);
     out.estimate.interval = Interval::of_ratio(out.estimate.value, error.half_width() / (2 * square));
     return out;
@@ -115,16 +120,17 @@ class Distances {
     if (!sample_.size().gives_errors() || 8 * at.points > n) return NoError::size;
     return NoError::none;
   }
-  LocalMeans means_of(const Field& squares) const {
+  LocalMeans mean_square(const Field& values) const {
     Grid part = lines_.grid;
     const auto whole = static_cast<double>(part.shape.nx);
-    part.shape.nx = squares.rows();
-    part.periodic.x = part.periodic.x && squares.rows() == lines_.points();
+    part.shape.nx = values.rows();
+    part.periodic.x = part.periodic.x && values.rows() == lines_.points();
     FieldExtent extent = lines_.extent;
     extent.elongation *= static_cast<double>(part.shape.nx) / whole;
     LocalSums sums(part, 1);
-    sums.add_rows(part.shape.nx, sample_.threads(),
-                  [&](Index i, LocalSums::Values& row) { row.col(1) = squares.row(i).transpose().matrix(); });
+    sums.add_rows(part.shape.nx, sample_.threads(), [&](Index i, LocalSums::Values& row) {
+      row.col(1) = values.row(i).square().transpose().matrix();
+    });
     return sums.means(extent);
   }
 
@@ -152,7 +158,11 @@ class Bands {
         psd_(power_spectrum(sample.surface().heights, sample.grid(), windows_along(axis, window),
                             sample.threads())),
         shared_(shared_power(sample.surface().heights, windows_along(axis, window))),
-        points_(profile_spectrum(sample, axis, window)) {}
+        points_(profile_spectrum(sample, axis, window)) {
+    if (sample.amplitudes_may_vary())
+      excess_ = profile_excess(sample.surface().heights, sample.grid(), axis, psd_, shared_, sample.extent(),
+                               sample.threads());
+  }
 
   void add(std::vector<ScalePoint>& out) const {
     constexpr std::array quantities{"band_height", "band_slope", "band_curvature"};
@@ -182,9 +192,7 @@ class Bands {
                      .standard_error = band.count / area * std::sqrt(band.variance),
                      .degrees = band.degrees,
                      .count = band.count});
-    if (sample_.amplitudes_may_vary())
-      add_excess(out, profile_excess(sample_.surface().heights, sample_.grid(), axis_, psd_, shared_,
-                                     sample_.extent(), sample_.threads()));
+    add_excess(out, excess_);
     for (std::size_t o = 0; o < out.size(); ++o) judge(out[o], static_cast<Index>(o), order);
     return out;
   }
@@ -230,6 +238,7 @@ class Bands {
   LagField psd_;
   SharedPower shared_;
   std::vector<SpectrumPoint> points_;
+  PowerExcess excess_ = {};
 };
 
 // Whether a tip follows all second differences over 2s points.

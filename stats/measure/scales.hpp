@@ -22,7 +22,7 @@
 ///                 a distance or a patch of which holes leave none has no value;
 ///     steps       heights in steps s, noise of s²/12, are a hundredth of the square or more;
 ///     size        the field holds too few independent heights, or fewer than eight stencils side by side;
-///     flat        it is zero to round-off.
+///     flat        it is zero, or the same all over the field, to round-off.
 ///
 /// A tip of radius R cannot follow summits that curve more. Data are taken for unreliable at scales l where
 ///     min [z(i+s) - 2z(i) + z(i-s)]/(sΔ)² < -1/(2R),   l = 2sΔ,                                         (5)

@@ -33,13 +33,12 @@ TEST_CASE("what noise adds to Sq, slopes and second derivatives is its mean over
     sq += z.square().mean() / 512, m40 += of.m40 / 512;
     m2 += of.along(0.4).m2 / 512, m4 += of.along(0.4).m4 / 512;
   }
-  const Sample any({.grid = g, .heights = 10 * white_noise(g.shape, 1)});
   const Parameters rows{{"Sq", 5, "m", 0.1, ""},
                         {"m2_direction", 100, "1", 1, ""},
                         {"m4_direction", 1000, "m-2", 1, ""},
                         {"m4_x", 1000, "m-2", 1, ""},
                         {"Sdr", 1, "1", 1, ""}};
-  const Parameters out = without_noise(rows, n, any, Direction{0.4, "0.4rad"});
+  const Parameters out = without_noise(rows, n, g, Direction{0.4, "0.4rad"});
   REQUIRE(out.size() == 4);
   CHECK(relative_error(out[0].value, std::sqrt(25 - sq)) <= 1e-13);
   CHECK(relative_error(out[0].standard_error, 0.1 * 5 / std::sqrt(25 - sq)) <= 1e-13);
@@ -60,7 +59,7 @@ TEST_CASE("without its noise a map has the Sq and the slope of its surface", "[n
     Parameters rows = measure(sample, Group::height, {});
     const Parameters slopes = measure(sample, Group::hybrid, {});
     rows.insert(rows.end(), slopes.begin(), slopes.end());
-    const Parameters out = without_noise(rows, 0.2, sample);
+    const Parameters out = without_noise(rows, 0.2, g);
     const double truth = std::sqrt(spectral_moments(z, g).m20 + spectral_moments(z, g).m02);
     sq.add(std::pow(noise_row(out, "Sq_without_noise").value, 2) - (z - z.mean()).square().mean());
     sdq.add(std::pow(noise_row(out, "Sdq_without_noise").value, 2) - truth * truth);
@@ -78,8 +77,8 @@ TEST_CASE("noise as large as Sq is refused, and as large as a slope leaves it wi
   const Sample sample({.grid = g, .heights = sine(g.shape, 1, 1)});
   const Parameters rows{{"Sq", 0.7, "m", 0.1, ""}, {"Sdq", 0.3, "1", 0.1, ""}};
   for (const double noise : {0.0, -1.0, 0.8, static_cast<double>(NAN)})
-    CHECK_THROWS_AS(without_noise(rows, noise, sample), ParameterError);
-  const Parameters out = without_noise(rows, 0.2, sample);  // of slope 0.4
+    CHECK_THROWS_AS(check_noise(noise, sample), ParameterError);
+  const Parameters out = without_noise(rows, 0.2, g);  // of slope 0.4
   CHECK(std::isnan(noise_row(out, "Sdq_without_noise").value));
   CHECK(noise_row(out, "Sdq_without_noise").why.starts_with("no value"));
 }

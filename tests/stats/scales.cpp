@@ -153,6 +153,27 @@ TEST_CASE("intervals by scale hold the slope of a triangular correlation", "[sca
   CHECK(*std::ranges::min_element(held) >= 88);
 }
 
+// Holes of a checkerboard leave no two neighbours; half a map of n points is more than n/8 long.
+TEST_CASE("what has no error by scale says why", "[scales][contract]") {
+  const Grid g = grid(64, 64);
+  const Field z = moving_average(g.shape, {6, 6}, 4),
+              board = Field::NullaryExpr(64, 64, [](Index i, Index j) { return (i + j) % 2 ? none : 0.0; });
+  const auto why = [](const Surface& surface, const char* quantity, double l) {
+    return at(by_scale(Sample(surface), by_hann), quantity, Axis1D::x, l).no_error;
+  };
+  CHECK(why({.grid = g, .heights = z}, "distance_slope", 1) == NoError::none);
+  CHECK(why({.grid = g, .heights = z}, "distance_slope", 16) == NoError::size);
+  CHECK(why({.grid = g, .heights = z, .degree = 2}, "distance_slope", 16) == NoError::size);
+  CHECK(why({.grid = g, .heights = z, .degree = 2}, "distance_slope", 32) == NoError::form);
+  CHECK(why({.grid = g, .heights = z, .degree = 2}, "band_height", 64) == NoError::form);
+  CHECK(why({.grid = g, .heights = z, .step = 0.5}, "distance_slope", 1) == NoError::steps);
+  CHECK(why({.grid = g, .heights = z, .step = 0.5}, "patch_height", 4) == NoError::steps);
+  CHECK(why({.grid = g, .heights = z, .step = 0.5}, "band_curvature", 2) == NoError::steps);
+  CHECK(why({.grid = g, .heights = z + board}, "distance_slope", 1) == NoError::holes);
+  CHECK(std::isnan(value_at(scales_of(z + board, g), "distance_slope", Axis1D::x, 1)));
+  CHECK(why({.grid = g, .heights = z + board}, "distance_slope", 2) == NoError::none);
+}
+
 // ---- a tip ----
 
 // The summit of A sin(qx) lies on a point; 4A sin²(qs/2)/s² falls with s.
