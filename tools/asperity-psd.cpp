@@ -165,9 +165,12 @@ cli::Table table(const cli::Tool& tool, const Options& what, Surface surface, bo
                                          : scales)(sample, windows, least);
   const auto value = static_cast<std::size_t>(
       std::ranges::find(out.columns, "standard_error", &cli::Column::name) - out.columns.begin() - 1);
-  for (auto& row : out.rows)
+  for (auto& row : out.rows) {
     if (flat)
       row[value] = 0.0, row[value + 1] = row[value + 2] = row[value + 3] = NAN, row[value + 4] = "flat";
+    // The spread of several knows no size.
+    if (!alone && row[value + 4] == cli::Cell(reason(NoError::size))) row[value + 4] = "-";
+  }
   return out;
 }
 
