@@ -94,9 +94,11 @@ Parameters lengths_of(const cli::AcfResult& result, const Options& what) {
                      result.lengths);
 }
 
-PooledOptions pooled_lengths(const Options& what, const Grid& grid) {
-  return {.of_acf = [grid, levels = levels_of(what.levels), direction = direction_of(what)](
-                        const LagField& rho) { return acf_lengths(rho, grid, levels, direction); }};
+PooledOptions pooled_lengths(const Options& what) {
+  return {.of_acf = [levels = levels_of(what.levels), direction = direction_of(what)](const LagField& rho,
+                                                                                      const Grid& grid) {
+    return acf_lengths(rho, grid, levels, direction);
+  }};
 }
 
 // ---- the ACF ----
@@ -133,12 +135,12 @@ cli::AcfResult measured(const cli::Tool& tool, const Options& what, const Surfac
 
 // What one of several adds to their pool. The window of a tapered surface takes more than a mean does:
 // nothing is put back.
-MapSums sums_of(const cli::AcfResult& result, const Options& what, const Surface& surface, int threads) {
+void set_sums(cli::AcfResult& result, const Options& what, const Surface& surface, int threads) {
   const Moments of_heights = moments(surface.heights, surface.variable);
   const double least = std::ranges::min(levels_of(what.levels), {}, &AcfLevel::value).value;
-  MapSums out(of_heights, what.tapered ? 0 : taken_from(surface, result.estimate, of_heights, threads));
-  out.set_acf(result.estimate, least);
-  return out;
+  const double taken = what.tapered ? 0 : taken_from(surface, result.estimate, of_heights, threads);
+  result.sums.emplace(of_heights, surface.grid, taken).set_acf(result.estimate, least);
+  result.area = measured_area(surface.heights, surface.grid);
 }
 
 cli::AcfContent content(const Surface& surface, const Options& what) {
@@ -184,12 +186,12 @@ void measure_several(cli::Tool& tool, const cli::FieldOptions& field, const Opti
       [&](const cli::EnsembleMember& member) {
         const Surface surface = field.read(tool, member.data);
         cli::AcfResult result = measured(tool, what, surface, member.data);
-        result.sums = sums_of(result, what, surface, tool.thread_count());
+        set_sums(result, what, surface, tool.thread_count());
         Parameters lengths = lengths_of(result, what);
         return One{std::move(result), std::move(lengths), content(surface, what)};
       },
       [&](const One& one, const std::string&) {
-        if (!mean) mean.emplace(one.content, pooled_lengths(what, one.result.estimate.grid()));
+        if (!mean) mean.emplace(one.content, pooled_lengths(what));
         mean->add(one.result, one.lengths, what.result.dataset());
       },
       several);
@@ -199,6 +201,7 @@ void measure_several(cli::Tool& tool, const cli::FieldOptions& field, const Opti
     tool.note(
         "twins of the mean of several surfaces have Gaussian heights, unless asperity-generate --marginal "
         "says otherwise");
+  cli::tell_weights(tool, mean->weights());
   cli::tell_interval(tool, mean->surfaces(), PooledMaps::most_degrees);
   if (!what.result.dataset()) return cli::print(tool, cli::ensemble_table(lengths));
   Dataset data = mean->dataset();
@@ -217,6 +220,7 @@ int print_profiles(const cli::Tool& tool, const cli::FieldOptions& field, const 
         .keys = {"direction", "lag"}, .value = "acf", .others = {"structure_function"}, .means = {"target"}};
   });
   cli::PooledAcf pooled;
+  AreaWeights weights;
   const bool alone = surfaces.resolve(tool) == 1;
   const int code = surfaces.for_each(
       tool,
@@ -224,15 +228,17 @@ int print_profiles(const cli::Tool& tool, const cli::FieldOptions& field, const 
         const Surface surface = field.read(tool, member.data);
         cli::AcfResult result = measured(tool, what, surface, member.data);
         if (alone) warn_of_few(tool, result.estimate.size);
-        if (!alone) result.sums = sums_of(result, what, surface, tool.thread_count());
+        if (!alone) set_sums(result, what, surface, tool.thread_count());
         cli::Table table = acf_profiles(result, content(surface, what));
         return One{std::move(result), std::move(table)};
       },
       [&](const One& one, const std::string& name) {
         if (alone) return cli::print(tool, one.table);
-        mean.add(one.table, name), pooled.add(one.result);
+        const double weight = weights.of(one.result.area);
+        mean.add(one.table, name, weight), pooled.add(one.result, weight);
       },
       several);
+  cli::tell_weights(tool, weights);
   if (!alone)
     mean.print(tool, cli::profiles_of(pooled.values(what.absolute)),
                cli::profiles_of(pooled.errors(what.absolute)));
@@ -242,8 +248,13 @@ int print_profiles(const cli::Tool& tool, const cli::FieldOptions& field, const 
 int measure(cli::Tool& tool, const cli::FieldOptions& field, Options& what, cli::EnsembleInput& surfaces) {
   what.check(tool);
   const std::string& result = what.result.result;
-  const cli::Several several{.variable = field.variable,
-                             .on_one_grid = result == "lengths" ? "" : "the mean at each lag"};
+  const bool lengths = result == "lengths", own_lags = !tool.given("--max-lag");
+  const cli::Several several{
+      .variable = field.variable,
+      .of_sizes = "each surface counts by its measured area",
+      .of_spacings =
+          lengths ? "correlations are pooled at the coarsest spacing, each surface by its measured area" : "",
+      .on_one_grid = !lengths && own_lags ? "the mean at each lag, unless --max-lag gives the lags," : ""};
   if (result == "profiles") return print_profiles(tool, field, what, surfaces, several);
   if (surfaces.resolve(tool) == 1)
     measure_one(tool, field, what, surfaces.only(tool));

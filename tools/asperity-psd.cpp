@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +21,24 @@
 using namespace asperity;
 
 namespace {
+
+using Reach = CommonWaveNumbers::Reach;
+
+Reach reach_along(Axis1D axis, const Grid& grid, const Grid& finest) {
+  return axis == Axis1D::x ? Reach::of(2 * std::numbers::pi / grid.size_x(), grid.dx, finest.dx)
+                           : Reach::of(2 * std::numbers::pi / grid.size_y(), grid.dy, finest.dy);
+}
+Reach reach_of_rings(const Grid& grid, const Grid& finest) {
+  return Reach::of(2 * std::numbers::pi / std::min(grid.size_x(), grid.size_y()), std::max(grid.dx, grid.dy),
+                   std::max(finest.dx, finest.dy));
+}
+
+// What several surfaces of unequal grids have in common.
+struct Common {
+  CommonWaveNumbers radial, x, y;
+  std::vector<double> areas;
+  Grid finest;  ///< its spacings
+};
 
 struct Options {
   std::string window = "auto";
@@ -61,6 +80,35 @@ std::vector<cli::Cell> cells(SpectrumPoint point, double least) {
     point.no_error = NoError::tip, point.standard_error = NAN;
   const Interval ends = point.interval();
   return {point.density, point.standard_error, ends.low, ends.high, word(point.no_error)};
+}
+
+// Without the columns that unequal grids have not in common.
+cli::Table common_table(std::vector<cli::Column> keys, const std::string& unit) {
+  cli::Table out{std::move(keys), {}};
+  out.columns.push_back({"psd", unit});
+  out.columns.push_back({"standard_error", unit, cli::Holds::unknown});
+  return out;
+}
+
+cli::Table common_radial(const Sample& sample, const DataWindows& windows, const Common& common) {
+  cli::Table out = common_table({{"wave_number", per_length}}, cli::density_units(sample.surface().units, 2));
+  const Reach reach = reach_of_rings(sample.grid(), common.finest);
+  for (const SpectrumPoint& p : common.radial.means(radial_spectrum(sample, windows), reach))
+    out.rows.push_back({p.wave_number, p.density, p.standard_error});
+  return out;
+}
+
+cli::Table common_profiles(const Sample& sample, const DataWindows& windows, const Common& common) {
+  cli::Table out = common_table({{"direction", ""}, {"wave_number", per_length}},
+                                cli::density_units(sample.surface().units, 1));
+  for (const Axis1D axis : {Axis1D::x, Axis1D::y}) {
+    const bool x = axis == Axis1D::x;
+    const auto own = profile_spectrum(sample, axis, x ? windows.x : windows.y);
+    const Reach reach = reach_along(axis, sample.grid(), common.finest);
+    for (const SpectrumPoint& p : (x ? common.x : common.y).means(own, reach))
+      out.rows.push_back({x ? "x" : "y", p.wave_number, p.density, p.standard_error});
+  }
+  return out;
 }
 
 cli::Table radial(const Sample& sample, const DataWindows& windows, double least) {
@@ -154,12 +202,18 @@ void describe(Dataset& data, const Surface& surface, const DataWindows& windows)
   data.attributes.set("psd_window", windows.x == DataWindow::hann ? "hann" : "none");
 }
 
-cli::Table table(const cli::Tool& tool, const Options& what, Surface surface, bool alone) {
+cli::Table table(const cli::Tool& tool, const Options& what, Surface surface, bool alone,
+                 const std::optional<Common>& common) {
   const DataWindows windows = what.windows(surface.grid);
   const bool flat = surface.flat;
   const double least = flat ? 0 : least_scale(tool, what, surface, alone);
   const Sample sample = flat ? stand_in(surface) : Sample(std::move(surface), tool.thread_count());
   const std::string& result = what.result.result;
+  if (common) {
+    if (flat)
+      throw DataError("heights", "a surface is flat, and the grids differ: leave it out, its density is 0");
+    return (result == "profiles" ? common_profiles : common_radial)(sample, windows, *common);
+  }
   cli::Table out = (result == "profiles" ? profiles
                     : result == "radial" ? radial
                                          : scales)(sample, windows, least);
@@ -178,6 +232,10 @@ cli::Table table(const cli::Tool& tool, const Options& what, Surface surface, bo
 cli::EnsembleTable::Content content_of(const cli::Table& one) {
   if (one.columns[0].name == "quantity")
     return {.keys = {"quantity", "direction", "scale", "unit"}, .value = "value", .reason = "no_error"};
+  if (std::ranges::find(one.columns, "no_error", &cli::Column::name) == one.columns.end())
+    return {.keys = one.columns[0].name == "direction" ? std::vector<std::string>{"direction", "wave_number"}
+                                                       : std::vector<std::string>{"wave_number"},
+            .value = "psd"};
   if (one.columns[0].name == "direction")
     return {.keys = {"direction", "wave_number"}, .value = "psd", .reason = "no_error"};
   return {.keys = {"wave_number", "count"}, .value = "psd", .reason = "no_error"};
@@ -233,14 +291,64 @@ Dataset mean_psd(const cli::Tool& tool, const cli::FieldOptions& field, const Op
   return out;
 }
 
+// None of one grid.
+std::optional<Common> common_to(const std::vector<Grid>& grids, const std::vector<double>& areas) {
+  if (std::ranges::all_of(grids, [&](const Grid& one) { return cli::same_grid(grids[0], one); })) return {};
+  Grid finest = grids[0];
+  for (const Grid& grid : grids)
+    finest.dx = std::min(finest.dx, grid.dx), finest.dy = std::min(finest.dy, grid.dy);
+  std::vector<Reach> rings, x, y;
+  for (const Grid& grid : grids) {
+    rings.push_back(reach_of_rings(grid, finest));
+    x.push_back(reach_along(Axis1D::x, grid, finest)), y.push_back(reach_along(Axis1D::y, grid, finest));
+  }
+  return Common{CommonWaveNumbers(rings), CommonWaveNumbers(x), CommonWaveNumbers(y), areas, finest};
+}
+
+std::optional<Common> common_to(const cli::Tool& tool, const std::string& variable,
+                                cli::EnsembleInput& surfaces) {
+  std::vector<Grid> grids;
+  std::vector<double> areas;
+  surfaces.for_each(
+      tool,
+      [&](const cli::EnsembleMember& member) {
+        const Grid grid = grid_of(member.data);
+        return std::pair{grid, measured_area(field_of(member.data, variable, Missing::not_a_number), grid)};
+      },
+      [&](const std::pair<Grid, double>& one, const std::string&) {
+        grids.push_back(one.first), areas.push_back(one.second);
+      });
+  return common_to(grids, areas);
+}
+
+int print_tables(const cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
+                 cli::EnsembleInput& surfaces) {
+  std::optional<Common> common;
+  cli::Several several{.variable = field.variable};
+  if (what.result.result == "scales") {
+    several.on_one_grid = "the mean at each scale";
+  } else if (surfaces.resolve(tool) > 1) {
+    common = common_to(tool, field.variable, surfaces);
+    several.of_sizes = several.of_spacings =
+        "each wave number is pooled over the surfaces that resolve it, by their areas";
+  }
+  if (common && tool.given("--tip-radius"))
+    throw cli::UsageError("tip-radius", "marks wave numbers of one grid, but those of the surfaces differ");
+  return cli::print_table(
+      tool, surfaces, several, &content_of,
+      [&](const cli::EnsembleMember& member) {
+        return table(tool, what, field.read_flat(tool, member.data), member.alone(), common);
+      },
+      common ? common->areas : std::vector<double>{});
+}
+
 int measure(cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
             cli::EnsembleInput& surfaces) {
   what.check(tool);
-  const cli::Several several{.variable = field.variable, .on_one_grid = "the mean at each wave number"};
-  if (!what.result.dataset())
-    return cli::print_table(tool, surfaces, several, &content_of, [&](const cli::EnsembleMember& member) {
-      return table(tool, what, field.read_flat(tool, member.data), member.alone());
-    });
+  if (!what.result.dataset()) return print_tables(tool, field, what, surfaces);
+  const cli::Several several{
+      .variable = field.variable,
+      .on_one_grid = "the mean at each wave number, unless --result radial or profiles pools them,"};
   Dataset data = surfaces.resolve(tool) == 1 ? with_psd(tool, field, what, surfaces.only(tool))
                                              : mean_psd(tool, field, what, surfaces, several);
   tool.write(data);

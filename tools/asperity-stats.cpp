@@ -1,4 +1,5 @@
 // Parameters of a surface with their standard errors.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -17,6 +18,7 @@ namespace {
 struct Measured {
   Parameters rows;
   Grid grid = {};
+  double area = 0;
   std::optional<EffectiveSampleSize> size = {};  ///< none of a flat one
   std::optional<MapSums> sums = {};              ///< of one of several, that is not flat
   std::vector<MaterialHeight> heights = {};
@@ -45,7 +47,10 @@ struct Warnings {
 // The groups asked for; whether there are directions depends on errors.
 Measured measured(const cli::Tool& tool, const std::string& variable, const MeasureOptions& asked,
                   Sample& sample, bool errors) {
-  Measured out{.rows = {}, .grid = sample.grid(), .size = sample.size()};
+  Measured out{.rows = {},
+               .grid = sample.grid(),
+               .area = measured_area(sample.surface().heights, sample.grid()),
+               .size = sample.size()};
   for (const Group group : asked.groups) {
     sample.need_errors(errors || group == Group::spatial);
     const Parameters rows = measure(sample, group, asked);
@@ -83,7 +88,7 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, Measu
   asked.material_heights = options.heights_in(surface.units);
   if (surface.flat) {
     if (!options.noise.empty()) throw DataError(surface.variable, "is flat: --noise takes nothing off it");
-    Measured out;
+    Measured out{.rows = {}, .grid = surface.grid, .area = measured_area(surface.heights, surface.grid)};
     for (const Group group : asked.groups)
       for (Parameter& row : measure_flat(surface, group, asked)) out.rows.push_back(std::move(row));
     return out;
@@ -104,38 +109,64 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, Measu
 // Pooled, where no surface is flat.
 class Mean {
  public:
-  Mean(const MeasureOptions& asked) : asked_(asked) {}
+  /// By their areas, or else alike.
+  Mean(const MeasureOptions& asked, bool by_area) : asked_(asked), by_area_(by_area) {}
   void add(const Measured& one) {
-    means_.add(one.rows);
-    if (one.sums) pool_.add(*one.sums);
-    heights_ = one.heights;
-    noise_ = one.noise;
+    const double weight = weights_.of(by_area_ ? one.area : 1);
+    if (weights_.maps() == 1) first_ = one.grid;
+    one_spacing_ &= same_spacing(first_, one.grid);
+    means_.add(one.rows, weight);
+    if (one.sums) pool_.add(*one.sums, weight);
+    heights_ = one.heights, noise_ = one.noise;
   }
   const EnsembleParameters& of_estimates() const { return means_; }
-  std::vector<EnsembleParameter> pooled(const Grid& grid) const {
+  const AreaWeights& weights() const { return weights_; }
+  std::vector<EnsembleParameter> pooled() const {
     std::vector<EnsembleParameter> out = means_.all();
-    if (pool_.maps() < means_.surfaces()) return out;
-    const auto of_acf = [&](const LagField& rho) { return lobe_lengths(rho, grid, asked_.sal_level); };
+    if (pool_.maps() < means_.surfaces()) {
+      if (one_spacing_) return out;
+      throw DataError(
+          "heights",
+          "a surface is flat, and the spacings differ: nothing is pooled; measure them separately");
+    }
+    const auto of_acf = [&](const LagField& rho, const Grid& grid) {
+      return lobe_lengths(rho, grid, asked_.sal_level);
+    };
     const Parameters pooled = pool_.all({asked_.quantiles, asked_.material_ratios, heights_, of_acf});
-    take_pooled(out, pooled, pool_.maps());
-    if (noise_ > 0) take_pooled(out, without_noise(pooled, noise_, grid, asked_.direction), pool_.maps());
+    take_pooled(out, pooled, pool_);
+    if (noise_ > 0) take_pooled(out, without_noise(pooled, noise_, pool_.grid(), asked_.direction), pool_);
     return out;
   }
 
  private:
   const MeasureOptions& asked_;
   std::vector<MaterialHeight> heights_ = {};
+  bool by_area_;
+  AreaWeights weights_ = {};
+  Grid first_ = {};
+  bool one_spacing_ = true;
   EnsembleParameters means_ = {};
   PooledMaps pool_ = {};
   double noise_ = 0;
 };
 
+constexpr const char* of_spacings =
+    "heights and correlations are pooled, each surface by its measured area, correlations at the coarsest "
+    "spacing; slopes, summits, features and extremes depend on the spacing and have no value";
+
+// Whether some of it is pooled of any spacings.
+bool pools(const MeasureOptions& asked) {
+  return std::ranges::any_of(asked.groups, [](Group group) {
+    return group == Group::height || group == Group::material || group == Group::quantiles ||
+           group == Group::spatial;
+  });
+}
+
 int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const cli::StatsOptions& options) {
   const MeasureOptions asked = options.checked(tool);
   if (options.compare && surfaces.resolve(tool) == 1)
     throw cli::UsageError("compare", "needs two surfaces or more, and there is one");
-  Mean mean(asked);
-  Grid grid;
+  Mean mean(asked, !options.compare);
   std::optional<Parameters> first;
   Parameters last;
   Warnings warnings;
@@ -148,10 +179,12 @@ int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const 
           return;
         }
         mean.add(one);
-        grid = one.grid;
         last = std::move(one.rows);
       },
-      {.variable = options.field.variable});
+      {.variable = options.field.variable,
+       .of_sizes = options.compare ? cli::Several().of_sizes
+                                   : "each surface counts by its measured area; extremes depend on the size",
+       .of_spacings = options.compare || !pools(asked) ? "" : of_spacings});
   warnings.print(tool);
   const int surfaces_in_mean = mean.of_estimates().surfaces();
   if (first)
@@ -159,8 +192,10 @@ int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const 
   else if (surfaces_in_mean == 1)
     cli::print(tool, last);
   else {
+    const cli::Table pooled = cli::ensemble_table(mean.pooled());
+    cli::tell_weights(tool, mean.weights());
     cli::tell_interval(tool, surfaces_in_mean, PooledMaps::most_degrees);
-    cli::print(tool, cli::ensemble_table(mean.pooled(grid)));
+    cli::print(tool, pooled);
   }
   return cli::done;
 }
@@ -184,9 +219,11 @@ int main(int argc, char** argv) {
       "and correlations together, its standard error, the spread between the surfaces, and the spread "
       "expected from their errors. A 95 % interval is Student's t of surfaces - 1 degrees of freedom, 39 at "
       "most, times the standard error on either side. Sal, Str and the slowest decay keep a bias then, and "
-      "have no error. All surfaces need the same spacing, "
-      "because slopes, peaks and lengths depend on it; surfaces of different sizes are averaged with a "
-      "warning. With --compare it says in which parameters the first surface differs from the others.");
+      "have no error. Surfaces of different sizes count by their measured areas. Of different spacings "
+      "heights, the material ratio and correlations are pooled, these at the coarsest; slopes, summits, "
+      "features and "
+      "extremes, which depend on the spacing, have no value then. With --compare it says in which parameters "
+      "the first surface differs from the others.");
   cli::EnsembleInput surfaces;
   cli::StatsOptions options;
   surfaces.declare(tool);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "math/bracketed_root.hpp"
+#include "stats/measure/pooled_maps.hpp"
 #include "stats/sample/quantiles.hpp"
 
 namespace asperity {
@@ -41,14 +42,17 @@ Eigen::Array4d summed(const Parameter& parameter) {
   return {square_error, std::cos(2 * value), std::sin(2 * value), fewness};
 }
 
+// Of points; it has no error.
+bool is_number(const std::string& name) { return name.starts_with("N"); }
+
 }  // namespace
 
-void EnsembleParameters::add(const Parameters& parameters) {
+void EnsembleParameters::add(const Parameters& parameters, double weight) {
   ++surfaces_;
   for (const Parameter& parameter : parameters) {
     auto known = std::ranges::find(quantities_, parameter.name, &Quantity::name);
     if (known == quantities_.end()) known = quantities_.insert(known, {parameter.name, parameter.unit});
-    known->values.add(summed(parameter));
+    known->values.add(summed(parameter), is_number(parameter.name) ? 1 : weight);
     known->is_bound |= parameter.is_bound;
   }
 }
@@ -79,12 +83,17 @@ bool keeps_bias(const std::string& name) {
 
 }  // namespace
 
-void take_pooled(std::vector<EnsembleParameter>& means, const Parameters& pooled, int maps) {
+void take_pooled(std::vector<EnsembleParameter>& means, const Parameters& pooled, const PooledMaps& maps) {
   for (EnsembleParameter& mean : means) {
     const auto found = std::ranges::find(pooled, mean.name, &Parameter::name);
     if (keeps_bias(mean.name)) mean.standard_error = unknown;
-    if (found == pooled.end() || (!std::isfinite(found->value) && found->unit != "rad")) continue;
-    mean.mean = found->value, mean.surfaces = maps;
+    const bool any_spacing = mean.name == "mean" || mean.unit == "rad" || is_number(mean.name);
+    if (found == pooled.end() || (!std::isfinite(found->value) && found->unit != "rad")) {
+      if (!maps.one_spacing() && !any_spacing)
+        mean.mean = mean.standard_error = mean.spread = mean.expected_spread = unknown, mean.surfaces = 0;
+      continue;
+    }
+    mean.mean = found->value, mean.surfaces = maps.maps();
     if (!keeps_bias(mean.name)) mean.standard_error = found->standard_error;
   }
 }

@@ -37,6 +37,8 @@
 
 namespace asperity {
 
+class PooledMaps;
+
 struct EnsembleParameter {
   std::string name, unit;
   double mean, standard_error, spread, expected_spread, surfaces;
@@ -46,8 +48,8 @@ struct EnsembleParameter {
 
 class EnsembleParameters {
  public:
-  /// The parameters of one surface.
-  void add(const Parameters& parameters);
+  /// The parameters of one surface; numbers of points count alike.
+  void add(const Parameters& parameters, double weight = 1);
   int surfaces() const { return surfaces_; }
   /// In the order of their first appearance.
   std::vector<EnsembleParameter> all() const;
@@ -64,8 +66,9 @@ class EnsembleParameters {
 };
 
 /// Puts the values and errors of pooled maps (stats/measure/pooled_maps.hpp) in place of means; Sal, Str and
-/// the slowest decay have no error.
-void take_pooled(std::vector<EnsembleParameter>& means, const Parameters& pooled, int maps);
+/// the slowest decay have no error. Of maps of several spacings what is not pooled has no value, but for the
+/// mean and numbers of points.
+void take_pooled(std::vector<EnsembleParameter>& means, const Parameters& pooled, const PooledMaps& maps);
 
 struct ComparedParameter {
   std::string name, unit;

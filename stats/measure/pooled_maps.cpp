@@ -42,7 +42,7 @@ void add_row(Parameters& out, const std::string& name, double value) {
 
 // ---- of one map ----
 
-MapSums::MapSums(const Moments& m, double taken, const Parameters& rows) {
+MapSums::MapSums(const Moments& m, const Grid& grid, double taken, const Parameters& rows) : grid_(grid) {
   const double square = m.sq * m.sq;
   sums_ << m.sa, square, m.ssk * square * m.sq, m.sku * square * square, square * taken / (1 - taken);
   for (const Parameter& row : rows) {
@@ -75,14 +75,79 @@ void MapSums::set_acf(const AcfEstimate& estimate, double level) {
   acf_ = acf(estimate).within({times * p + least, times * q + least});
 }
 
+void MapSums::weigh(double weight) {
+  weight_ = weight, weights_ = {weight};
+  sums_ *= weight;
+  for (auto& row : rows_) row.second *= weight;
+  if (acf_ && weight != 1) acf_ = LagField(weight * acf_->half_plane());
+}
+
+namespace {
+
+// From values at -P…P or 0…P to those at lags `ratio` ≥ 1 times as far, by cubics through four of them on
+// either side of 0: none passes through the cusp there.
+Eigen::MatrixXd to_coarser(Index lags, double ratio, bool both_signs) {
+  constexpr double printed = 1e-6;
+  const auto last = static_cast<Index>(static_cast<double>(lags) / ratio * (1 + printed));
+  const Index zero = both_signs ? lags : 0, zero_of_coarse = both_signs ? last : 0;
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(last + zero_of_coarse + 1, lags + zero + 1);
+  for (Index k = -zero_of_coarse; k <= last; ++k) {
+    const double at = std::abs(static_cast<double>(k)) * ratio, sign = k < 0 ? -1 : 1;
+    const Index first = std::clamp<Index>(static_cast<Index>(at) - 1, 0, std::max<Index>(lags - 3, 0)),
+                end = std::min(first + 4, lags + 1);
+    for (Index i = first; i < end; ++i) {
+      double weight = 1;
+      for (Index j = first; j < end; ++j)
+        if (j != i) weight *= (at - static_cast<double>(j)) / static_cast<double>(i - j);
+      out(k + zero_of_coarse, zero + static_cast<Index>(sign) * i) = weight;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void MapSums::take_spacing(const Grid& coarser) {
+  if (same_spacing(grid_, coarser)) return;
+  for (auto& row : rows_) row.second = unknown;
+  if (acf_) {
+    const Eigen::MatrixXd x = to_coarser(acf_->max_p(), coarser.dx / grid_.dx, false),
+                          y = to_coarser(acf_->max_q(), coarser.dy / grid_.dy, true);
+    acf_ = LagField((x * acf_->half_plane().matrix() * y.transpose()).array());
+  }
+  grid_.dx = coarser.dx, grid_.dy = coarser.dy;
+}
+
+// Of maps of unequal weight as many of equal weight: their means keep the areas under the curve.
+Field MapSums::heights() const {
+  if (std::ranges::equal(weights_, std::vector(weights_.size(), weights_[0])))
+    return Eigen::Map<const Field>(heights_.data(), std::ssize(heights_), 1);
+  std::vector<std::pair<double, double>> parts;
+  for (std::size_t k = 0; k < heights_.size(); ++k)
+    parts.emplace_back(heights_[k], weights_[k / heights_of_map] / weight_);
+  std::ranges::sort(parts);
+  const double weight = 1.0 / static_cast<double>(weights_.size());
+  Field out = Field::Zero(std::ssize(heights_), 1);
+  double below = 0;  // of all heights, in classes
+  for (const auto& [height, share] : parts)
+    for (double rest = share / weight; rest > 0;) {
+      const Index k = std::min(static_cast<Index>(below), out.rows() - 1);
+      const double taken = k + 1 == out.rows() ? rest : std::min(rest, static_cast<double>(k + 1) - below);
+      out(k) += taken * height;
+      below += taken, rest -= taken;
+    }
+  return out;
+}
+
 void MapSums::operator+=(const MapSums& more) {
-  maps_ += more.maps_;
+  weight_ += more.weight_;
   sums_ += more.sums_;
   for (auto& [name, sum] : rows_) {
     const auto found = more.rows_.find(name);
     sum += found == more.rows_.end() ? unknown : found->second;
   }
   heights_.insert(heights_.end(), more.heights_.begin(), more.heights_.end());
+  weights_.insert(weights_.end(), more.weights_.begin(), more.weights_.end());
   if (!acf_ || !more.acf_) return acf_.reset();
   const Shape both{std::min(acf_->max_p(), more.acf_->max_p()), std::min(acf_->max_q(), more.acf_->max_q())};
   acf_ = LagField(acf_->within(both).half_plane() + more.acf_->within(both).half_plane());
@@ -100,7 +165,8 @@ double taken_from(const Surface& surface, const AcfEstimate& estimate, const Mom
 
 MapSums map_sums(const Sample& sample, const Parameters& rows, const MeasureOptions& asked) {
   const double taken = sample.taken_by_form();
-  MapSums out(sample.moments(), std::isnan(taken) ? sample.size().taken_by_form() : taken, rows);
+  MapSums out(sample.moments(), sample.grid(), std::isnan(taken) ? sample.size().taken_by_form() : taken,
+              rows);
   if (asked.groups.contains(Group::material) || asked.groups.contains(Group::quantiles))
     out.set_heights(sample.material_ratio(), sample.moments().mean);
   if (asked.groups.contains(Group::spatial)) out.set_acf(AcfEstimate::of(sample), asked.sal_level);
@@ -157,7 +223,13 @@ Eigen::ArrayXd deviations(const Parameters& values, const Parameters& all) {
 
 }  // namespace
 
-void PooledMaps::add(MapSums map) {
+void PooledMaps::add(MapSums map, double weight) {
+  map.weigh(weight);
+  if (maps_ == 0) grid_ = map.grid_;
+  one_spacing_ &= same_spacing(grid_, map.grid_);
+  grid_.dx = std::max(grid_.dx, map.grid_.dx), grid_.dy = std::max(grid_.dy, map.grid_.dy);
+  for (MapSums& group : groups_) group.take_spacing(grid_);
+  map.take_spacing(grid_);
   if (maps_ < most_groups)
     groups_.push_back(std::move(map));
   else
@@ -166,22 +238,21 @@ void PooledMaps::add(MapSums map) {
 }
 
 Parameters PooledMaps::evaluated(const MapSums& of, const PooledOptions& options) {
-  const Eigen::Array<double, 5, 1> mean = of.sums_ / of.maps_;
+  const Eigen::Array<double, 5, 1> mean = of.sums_ / of.weight_;
   const double square = mean(1), whole = square + mean(4), larger = std::sqrt(whole / square);
   Parameters out;
   add_row(out, "Sa", mean(0) * larger), add_row(out, "Sq", std::sqrt(whole));
   add_row(out, "Ssk", mean(2) / (square * std::sqrt(square))),
       add_row(out, "Sku", mean(3) / (square * square));
   if (!of.heights_.empty()) {
-    const Field heights = larger * Eigen::Map<const Field>(of.heights_.data(), std::ssize(of.heights_), 1);
-    add_core(out, MaterialRatioCurve(heights), options);
+    add_core(out, MaterialRatioCurve(larger * of.heights()), options);
   }
   add_derivatives(out, whole, [&](const std::string& name) {
     const auto found = of.rows_.find(name);
-    return found == of.rows_.end() ? unknown : found->second / of.maps_;
+    return found == of.rows_.end() ? unknown : found->second / of.weight_;
   });
   if (of.acf_ && options.of_acf)
-    std::ranges::copy(options.of_acf(of.acf_->normalised()), std::back_inserter(out));
+    std::ranges::copy(options.of_acf(of.acf_->normalised(), of.grid_), std::back_inserter(out));
   return out;
 }
 
@@ -201,8 +272,13 @@ Parameters PooledMaps::all(const PooledOptions& options) const {
   Parameters out = all_but(groups_.size());
   if (groups_.size() < 2) return out;
   Ensemble apart;
-  for (std::size_t g = 0; g < groups_.size(); ++g) apart.add(deviations(all_but(g), out));
   const double n = static_cast<double>(groups_.size());
+  double whole = 0;
+  for (const MapSums& group : groups_) whole += group.weight_of_map();
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const double weight = groups_[g].weight_of_map(), times = (whole - weight) / weight / (n - 1);
+    apart.add(times * deviations(all_but(g), out), weight);  // once of equal maps
+  }
   // One that no map moves, such as a direction between few lags, is known to the lags only.
   const Eigen::ArrayXd errors =
       (apart.count() == n && apart.spread() > 0).select(apart.spread() * ((n - 1) / std::sqrt(n)), unknown);

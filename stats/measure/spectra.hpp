@@ -27,4 +27,36 @@ namespace asperity {
 std::vector<SpectrumPoint> profile_spectrum(const Sample& sample, Axis1D axis, DataWindow window);
 std::vector<SpectrumPoint> radial_spectrum(const Sample& sample, DataWindows windows);
 
+// ---- of several maps ----
+
+/// Classes of wave numbers that spectra of maps of several grids have in common.
+///
+/// Spectra of one step are those of each map. Where spectra of several steps overlap, a class has the width
+/// and the place of a wave number of the coarsest; a finer one has its mean over this class, of points k of
+/// widths as their steps, weighted by their parts in it and their numbers of wave numbers. Below and above
+/// stand classes of the next finer. A map has no mean where it does not reach over all of a class, and where
+/// a point has a bias that leaves it without an error.
+///
+/// Near its shortest wave a map has those that it folds back. Beside a map of a finer spacing it counts to a
+/// third of π/Δ: there they add 3 % to C ~ q⁻³ of a field, and 10 %, (π/6)²/sin²(π/6) - 1, to its profiles'
+/// C ~ q⁻², as of an exponential correlation; less of smoother ones, and below.
+class CommonWaveNumbers {
+ public:
+  struct Reach {
+    double step, last;  ///< of the wave numbers of a spectrum [rad/m]
+    /// Of a map of n points of this spacing; `finest` is that of all.
+    static Reach of(double step, double spacing, double finest);
+  };
+  explicit CommonWaveNumbers(std::vector<Reach> maps);
+
+  /// NaN without a mean; of more than one point, which share power, there is no error.
+  std::vector<SpectrumPoint> means(const std::vector<SpectrumPoint>& points, const Reach& of) const;
+
+ private:
+  struct Class {
+    double from, to;
+  };
+  std::vector<Class> classes_ = {};
+};
+
 }  // namespace asperity

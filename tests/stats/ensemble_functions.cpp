@@ -4,6 +4,7 @@
 
 #include "dataset/layout.hpp"
 #include "ensemble_files.hpp"
+#include "stats/measure/spectra.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -69,6 +70,61 @@ TEST_CASE("the pooled ACF is a ratio of means", "[acf-tool][law]") {
   for (const Field& one : all) squares += (one + took - rho * (one(0, 9) + took)).square();
   const Field errors = (squares / (members * (members - 1.0))).sqrt() / (variance + took);
   CHECK((table_of(pooled, "acf_error") - errors).abs().maxCoeff() <= took / variance * errors.maxCoeff());
+}
+
+// A line over the wave number is its own mean over any class that it covers; classes of a finer spectrum lie
+// below those of a coarser, to its first, and above its last.
+TEST_CASE("spectra of several steps have means on the classes of the coarsest, and lose no line",
+          "[psd-tool][exact]") {
+  const auto line = [](double step, int number) {
+    std::vector<SpectrumPoint> out;
+    for (int k = 1; k <= number; ++k)
+      out.push_back({.wave_number = k * step, .density = 3 + k * step, .standard_error = 1, .count = 4});
+    return out;
+  };
+  const CommonWaveNumbers common({{1, 20}, {2.5, 12.5}});
+  const std::vector<double> centres{0.875, 2.5, 5, 7.5, 10, 12.5, 14.125, 15, 16, 17, 18, 19, 20};
+  const auto fine = common.means(line(1, 20), {1, 20}), coarse = common.means(line(2.5, 5), {2.5, 12.5});
+  REQUIRE(fine.size() == centres.size());
+  for (std::size_t k = 0; k < centres.size(); ++k) {
+    CAPTURE(k);
+    CHECK(fine[k].wave_number == Approx(centres[k]).epsilon(1e-14));
+    CHECK(std::isnan(coarse[k].density) == (k == 0 || k > 5));
+    if (k > 0 && k <= 5) CHECK(coarse[k].density == Approx(3 + centres[k]).epsilon(1e-14));
+    if (k > 0 && k <= 5) CHECK(coarse[k].standard_error == 1);
+    if (k > 0 && k != 6) CHECK(fine[k].density == Approx(3 + centres[k]).epsilon(1e-12));
+    CHECK(std::isnan(fine[k].standard_error) == (k > 0 && k <= 5));
+  }
+  auto biased = line(1, 20);
+  biased[4].no_error = NoError::leakage;
+  const auto left = common.means(biased, {1, 20});
+  for (std::size_t k = 0; k < left.size(); ++k) CHECK(std::isnan(left[k].density) == (k == 2));
+}
+
+// Of exp(-r/l) the density is 2π l² σ²/(1 + (ql)²)^{3/2}. To a third of the shortest wave of the finer maps
+// what is folded back adds less than 4 % to it. Of t of eleven degrees |t| exceeds 5 once in 2500.
+TEST_CASE("rings of maps of unequal sizes and spacings are pooled to the density that all have",
+          "[psd-tool][statistics]") {
+  for (int k = 0; k < 12; ++k) {
+    const int n = 40 + 8 * (k % 4);
+    const std::string shape = std::to_string(n), side = std::to_string(n * (1 + k % 2));
+    require("asperity-generate -q --shape " + shape + "x" + shape + " --size " + side +
+            "um --rq 1um --length 12um --seed " + std::to_string(60 + k) + " -o w_" + std::to_string(k) +
+            ".nc");
+  }
+  const Json all = json_of("asperity-psd --result radial 'w_*.nc'");
+  const auto q = column(all, "wave_number"), psd = column(all, "psd"), error = column(all, "standard_error"),
+             surfaces = column(all, "surfaces");
+  const double length = 12e-6 / std::log(10.0), square = length * length;
+  int rows = 0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (surfaces[i] < 2 || q[i] > std::numbers::pi / 1e-6 / 3) continue;
+    const double exact = 2 * std::numbers::pi * square * 1e-12 / std::pow(1 + q[i] * q[i] * square, 1.5);
+    CAPTURE(i, q[i], psd[i], exact, error[i]);
+    CHECK(std::abs(psd[i] - exact) <= 5 * error[i] + 0.04 * exact);
+    ++rows;
+  }
+  CHECK(rows >= 6);
 }
 
 // The target is R(p,q) of (p, q) without the surfaces' own mean, whose variance lowers every lag alike, by

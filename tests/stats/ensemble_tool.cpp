@@ -3,11 +3,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <nlohmann/json.hpp>
 
 #include "dataset/layout.hpp"
 #include "fields.hpp"
+#include "stats/measure/pooled_maps.hpp"
 #include "tools/files.hpp"
 #include "tools/shell.hpp"
 
@@ -87,6 +89,114 @@ TEST_CASE("of several surfaces asperity-stats pools moments, with errors by the 
   CHECK(relative_error(value_in(all, "Sq", "expected_spread"), error) <= 0.1);
   CHECK(std::abs(spread / error - 1) <= 1.07);
   CHECK(value_in(all, "Sq", "surfaces") == 8);
+}
+
+namespace {
+
+// Of several maps of areas a, their mean square, third or fourth power over that of the square; and its error by the
+// jackknife, as (3) of pooled_maps.hpp words it.
+struct PowersByArea {
+  std::vector<std::array<double, 3>> powers = {};
+  std::vector<double> areas = {};
+
+  double without(std::size_t k, int left_out) const {
+    double square = 0, power = 0, area = 0;
+    for (std::size_t m = 0; m < areas.size(); ++m)
+      if (static_cast<int>(m) != left_out)
+        square += areas[m] * powers[m][0], power += areas[m] * powers[m][k], area += areas[m];
+    return power / area / std::pow(square / area, k == 1 ? 1.5 : 2);
+  }
+  double error(std::size_t k) const {
+    const double whole = std::accumulate(areas.begin(), areas.end(), 0.0), all = without(k, -1);
+    std::vector<double> pseudo;
+    double mean = 0, sum = 0;
+    for (std::size_t m = 0; m < areas.size(); ++m) {
+      const double a = areas[m] / whole;
+      pseudo.push_back(all / a - (1 / a - 1) * without(k, static_cast<int>(m)));
+      mean += a * pseudo.back();
+    }
+    for (std::size_t m = 0; m < areas.size(); ++m) sum += areas[m] / whole * std::pow(pseudo[m] - mean, 2);
+    return std::sqrt(sum / static_cast<double>(areas.size() - 1));
+  }
+};
+
+}  // namespace
+
+// Holes too. The third surface has twice the spacing, of which heights do not depend, and derivatives do.
+TEST_CASE("maps of unequal areas and spacings are pooled by their measured areas, and have no common slopes",
+          "[stats-tool][law]") {
+  PowersByArea pool;
+  for (const auto& [name, shape, spacing] : {std::tuple{"unequal_0.nc", Shape{40, 36}, 20e-6},
+                                             {"unequal_1.nc", Shape{80, 72}, 20e-6},
+                                             {"unequal_2.nc", Shape{45, 30}, 40e-6},
+                                             {"unequal_3.nc", Shape{96, 20}, 20e-6}}) {
+    Dataset data;
+    const Grid grid{shape, spacing, spacing, false};
+    set_grid(data, grid);
+    Field z = 0.4e-6 * moving_average(shape, window, 80 + static_cast<unsigned>(pool.areas.size()));
+    set_field(data, "heights", z, {"m", "heights"});
+    if (pool.areas.empty()) z.block(5, 6, 12, 9).setConstant(NAN);
+    data.find("heights")->values = std::vector<double>(z.data(), z.data() + z.size());
+    write_dataset(data, name);
+    pool.areas.push_back(static_cast<double>(z.isFinite().count()) * grid.cell_area());
+    const Json one = json_of(std::string("asperity-stats ") + name);
+    const double sq = one["Sq"]["value"];
+    pool.powers.push_back({sq * sq, one["Ssk"]["value"].get<double>() * std::pow(sq, 3),
+                           one["Sku"]["value"].get<double>() * std::pow(sq, 4)});
+  }
+  const Json all = json_of("asperity-stats --parameters height,material,hybrid,spatial,feature unequal_?.nc");
+  for (const auto& [k, name] : {std::pair{1U, "Ssk"}, {2U, "Sku"}}) {
+    CHECK(std::abs(value_in(all, name, "mean") - pool.without(k, -1)) <= 1e-12);
+    CHECK(std::abs(value_in(all, name, "standard_error") / pool.error(k) - 1) <= 1e-9);
+  }
+  const auto has_value = [&](const std::string& name) {
+    const Json& names = all["quantity"]["values"];
+    const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    REQUIRE(row < names.size());
+    return all["mean"]["values"].at(row).is_number();
+  };
+  for (const char* name : {"mean", "Sa", "Sq", "N", "N_eff", "Sk", "Spk", "Smr1", "Vvv", "Sal", "m0"})
+    CHECK(has_value(name));
+  for (const char* name : {"Sz", "Sdq", "m2_x", "alpha_y", "summit_density", "nayak_radius", "Spd", "Sha"})
+    CHECK(!has_value(name));
+  CHECK(shell("asperity-stats -q --parameters hybrid unequal_?.nc").exit == 4);
+}
+
+// Two maps of one correlation exp(-(r/L)²), L = 8 h: of the spacings h and 1.5 h. The fourth derivative is 12/L⁴
+// at most, cubics miss (9/16)/24 = 1/42.7 of it along either axis, times the share of the fine map's area.
+TEST_CASE("correlations of two spacings are pooled at the lags of the coarser", "[ensemble][order]") {
+  const double h = 1e-6, length = 8 * h;
+  const auto acf_on = [&](const Grid& grid) {
+    const LagField rho = LagField::of({40, 40}, [&](Index p, Index q) {
+      const double x = static_cast<double>(p) * grid.dx, y = static_cast<double>(q) * grid.dy;
+      return std::exp(-(x * x + y * y) / (length * length));
+    });
+    return AcfEstimate(rho, {rho, true, Pairs(grid)});
+  };
+  for (const double times : {1.5, 2.0}) {
+    const Grid fine{{96, 96}, h, h}, coarse{{96, 96}, times * h, times * h};
+    PooledMaps pool;
+    for (const Grid& grid : {fine, coarse}) {
+      MapSums sums({.sa = 0.8, .sq = 1, .sku = 3}, grid, 0);
+      sums.set_acf(acf_on(grid), 0.2);
+      pool.add(sums, grid.cell_area());
+    }
+    double error = 0;
+    Grid found;
+    const auto compare = [&](const LagField& rho, const Grid& grid) {
+      found = grid;
+      const LagField exact = acf_on(grid).rho.within({20, 20});
+      error = std::max(error, (rho.within({20, 20}).half_plane() - exact.half_plane()).abs().maxCoeff());
+      return Parameters{};
+    };
+    pool.all({.of_acf = compare});
+    CHECK(found.dx == times * h);
+    CHECK(!pool.one_spacing());
+    const double bound = 2 * 12 / (std::pow(8, 4) * 42.7);
+    CAPTURE(times, error, bound);
+    CHECK(error <= (times == 2 ? 1e-14 : bound));
+    if (times != 2) CHECK(error >= 0.1 * bound);
+  }
 }
 
 // Of the pool they would be those of all maps.

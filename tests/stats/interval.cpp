@@ -237,6 +237,19 @@ TEST_CASE("the numbers 1 to n have mean (n+1)/2 and variance n(n+1)/12, on any o
   }
 }
 
+// By plain sums: Σ w x/Σ w, and Σ w (x - mean)²/(Σ w (n-1)).
+TEST_CASE("weighted realisations have the mean and the error of weighted least squares",
+          "[ensemble][exact]") {
+  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(9, -1, 3).cube(),
+                       w = Eigen::ArrayXd::LinSpaced(9, 0.5, 4);
+  Ensemble ensemble;
+  for (Index m = 0; m < x.size(); ++m) ensemble.add(x.segment(m, 1), w(m));
+  const double mean = (w * x).sum() / w.sum(), square = (w * (x - mean).square()).sum() / (w.sum() * 8);
+  CHECK(std::abs(ensemble.mean()(0) - mean) <= 1e-13);
+  CHECK(std::abs(ensemble.standard_error()(0) / std::sqrt(square) - 1) <= 1e-14);
+  CHECK(std::abs(ensemble.spread()(0) / std::sqrt(9 * square) - 1) <= 1e-14);
+}
+
 TEST_CASE("a realisation without a quantity counts for the others only", "[ensemble][contract]") {
   Ensemble ensemble;
   ensemble.add(Eigen::Array3d(1, NAN, NAN));

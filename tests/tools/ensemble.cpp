@@ -16,10 +16,13 @@ std::string draw(const std::string& shape, const std::string& size, const std::s
 }  // namespace
 
 // Maps of 10 and 20 um spacing were averaged without a word: Sdq differs by the spacing alone.
-TEST_CASE("surfaces of different spacings have no mean: refused, with the file and both grids",
-          "[ensemble][contract]") {
+TEST_CASE(
+    "what depends on the spacing has no mean over different ones: refused, with the file and both grids",
+    "[ensemble][contract]") {
   const std::string both = draw("32x32", "640um", "coarse.nc") + draw("32x32", "320um", "fine.nc");
-  for (const std::string tool : {"asperity-stats", "asperity-stats --profile x", "asperity-validate"}) {
+  for (const std::string tool :
+       {"asperity-stats --parameters hybrid", "asperity-stats --compare", "asperity-stats --profile x",
+        "asperity-validate", "asperity-acf --max-lag 4x4"}) {
     const Outcome run = shell(both + tool + " coarse.nc fine.nc");
     CAPTURE(tool, run.error);
     CHECK(run.exit == 4);

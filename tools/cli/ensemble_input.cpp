@@ -255,25 +255,32 @@ class EnsembleInput::Visits {
                                     first_->unit + ": quantities of different kinds cannot be averaged");
     const std::string both = "its grid, " + described(one.grid) + ", differs from that of " + first_->file +
                              ", " + described(first_->grid);
-    if (!same_spacing(one.grid, first_->grid))
+    if (!several_.variable.empty() && is_profile(one.grid) != is_profile(first_->grid))
+      throw DataError(one.file, both +
+                                    ": heights of a profile and of a map are measured from different "
+                                    "means; measure them separately");
+    if (!same_spacing(one.grid, first_->grid)) {
+      if (!several_.of_spacings.empty()) return warn(one, both + ": " + several_.of_spacings);
       throw DataError(
           one.file,
           both +
               ": parameters depend on the spacing and cannot be averaged or compared; measure the surfaces "
               "separately, or thin the finer one (asperity-filter --decimate)");
-    if (warned_ || same_grid(one.grid, first_->grid)) return;
+    }
+    if (same_grid(one.grid, first_->grid)) return;
     if (!several_.on_one_grid.empty())
       throw DataError(one.file, both + ": " + several_.on_one_grid + " needs surfaces of one grid");
-    warned_ = true;
-    tool.warn(
-        one.file + ": " + both +
-        ": extremes, correlation lengths and all errors depend on the size, and each surface counts alike");
+    warn(one, both + ": " + several_.of_sizes);
   }
+  void warn(const Like& one, const std::string& why) {
+    if (!std::exchange(warned_, true)) tool.warn(one.file + ": " + why);
+  }
+  static bool is_profile(const Grid& grid) { return std::min(grid.shape.nx, grid.shape.ny) == 1; }
 
   const Several& several_;
   const Visit& visit_;
   std::optional<Like> first_ = {};
-  bool warned_ = false;  ///< of another size
+  bool warned_ = false;  ///< of another grid
   Progress progress_;
   int worst_ = done;
   std::optional<OrderedWork> work_ = {};  ///< from the first surface on

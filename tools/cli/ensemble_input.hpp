@@ -37,8 +37,12 @@ struct EnsembleMember {
 struct Several {
   /// Whose unit all must have, and their grids the same spacing, on which slopes, curvatures, peaks and
   /// correlation lengths depend. Surfaces of different sizes estimate the same quantities with different
-  /// errors: they give one warning.
+  /// errors: they give one warning. A profile and a map, measured from different means, are refused.
   std::string variable = {};
+  /// What becomes of different sizes, for the warning; and of different spacings: none refuses them.
+  std::string of_sizes =
+      "extremes, correlation lengths and all errors depend on the size, and each surface counts alike";
+  std::string of_spacings = {};
   /// "the mean at each lag": what needs surfaces of one grid, and refuses others.
   std::string on_one_grid = {};
 

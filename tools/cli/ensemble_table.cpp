@@ -50,6 +50,12 @@ void tell_interval(const Tool& tool, double surfaces, double most_degrees) {
             " of freedom");
 }
 
+void tell_weights(const Tool& tool, const AreaWeights& weights) {
+  if (!weights.differ()) return;
+  tool.note(counted(weights.maps(), "surface") + " count by measured area, from " +
+            in_digits(100 * weights.least(), 2) + " to " + in_digits(100 * weights.most(), 2) + " % of all");
+}
+
 Table ensemble_table(const std::vector<EnsembleParameter>& parameters) {
   Table out{{{"quantity", ""},
              {"unit", ""},
@@ -111,12 +117,12 @@ void EnsembleTable::check_keys(const Table& table, const std::string& file) cons
   column_like_first(content_.value);
 }
 
-void EnsembleTable::add_further(const Table& table, const std::string& name, Error error) {
+void EnsembleTable::add_further(const Table& table, const std::string& name, Error error, double weight) {
   const Column* column = column_of(table, name);
   if (column == nullptr) return;
   auto known = std::ranges::find(further_, name, [](const Further& f) { return f.column.name; });
   if (known == further_.end()) known = further_.insert(known, {{name, column->unit, Holds::unknown}, error});
-  known->values.add(numbers_in(table, name));
+  known->values.add(numbers_in(table, name), weight);
 }
 
 void EnsembleTable::add_reasons(const Table& table) {
@@ -142,14 +148,15 @@ void EnsembleTable::append_reasons(Table& out) const {
   }
 }
 
-void EnsembleTable::add(const Table& table, const std::string& file) {
+void EnsembleTable::add(const Table& table, const std::string& file, double weight) {
   if (surfaces_++ == 0) first_ = table, file_ = file, content_ = content_of_(table);
   check_keys(table, file);
-  values_.add(numbers_in(table, content_.value));
-  if (column_of(table, content_.error)) square_errors_.add(numbers_in(table, content_.error).square());
-  for (const std::string& name : content_.others) add_further(table, name, Error::of_spread);
-  for (const std::string& name : content_.shares) add_further(table, name, Error::of_share);
-  for (const std::string& name : content_.means) add_further(table, name, Error::none);
+  values_.add(numbers_in(table, content_.value), weight);
+  if (column_of(table, content_.error))
+    square_errors_.add(numbers_in(table, content_.error).square(), weight);
+  for (const std::string& name : content_.others) add_further(table, name, Error::of_spread, weight);
+  for (const std::string& name : content_.shares) add_further(table, name, Error::of_share, weight);
+  for (const std::string& name : content_.means) add_further(table, name, Error::none, weight);
   add_reasons(table);
 }
 
@@ -197,20 +204,26 @@ void EnsembleTable::print(const Tool& tool, const Eigen::ArrayXd& pooled,
 
 int print_table(const Tool& tool, EnsembleInput& surfaces, const Several& several,
                 const EnsembleTable::ContentOf& content,
-                const std::function<Table(EnsembleMember&&)>& table_of_one) {
+                const std::function<Table(EnsembleMember&&)>& table_of_one,
+                const std::vector<double>& areas) {
   const bool alone = surfaces.resolve(tool) == 1;
   EnsembleTable mean(content);
+  AreaWeights weights;
+  const auto weight_of_next = [&] {
+    return areas.empty() ? 1 : weights.of(areas[static_cast<std::size_t>(weights.maps())]);
+  };
   const auto take = [&](const Table& one, const std::string& name) {
-    alone ? print(tool, one) : mean.add(one, name);
+    alone ? print(tool, one) : mean.add(one, name, weight_of_next());
   };
   const int code = surfaces.for_each(tool, table_of_one, take, several);
+  tell_weights(tool, weights);
   mean.print(tool);
   return code;
 }
 
-void EnsembleField::add(const Field& field) {
+void EnsembleField::add(const Field& field, double weight) {
   rows_ = field.rows();
-  values_.add(Eigen::Map<const Eigen::ArrayXd>(field.data(), field.size()));
+  values_.add(Eigen::Map<const Eigen::ArrayXd>(field.data(), field.size()), weight);
 }
 
 // ---- a row for each surface ----

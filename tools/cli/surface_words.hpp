@@ -1,7 +1,6 @@
 /// Grids in words, when two are the same, and warnings of heights that a tool reads or draws.
 #pragma once
 
-#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -9,6 +8,7 @@
 
 #include "core/field.hpp"
 #include "core/words.hpp"
+#include "stats/sample/ensemble.hpp"
 #include "stats/sample/moments.hpp"
 #include "tools/cli/messages.hpp"
 #include "tools/cli/quantity.hpp"
@@ -26,11 +26,6 @@ inline std::string described(const Grid& grid) {
   return std::to_string(grid.shape.nx) + "x" + std::to_string(grid.shape.ny) + " cells on " +
          format_quantity(grid.size_x(), "m") + " x " + format_quantity(grid.size_y(), "m") +
          periodic_words(grid.periodic);
-}
-
-inline bool same_spacing(const Grid& one, const Grid& other) {
-  constexpr double printed = 1e-6;  // sizes may come from texts
-  return std::abs(one.dx / other.dx - 1) <= printed && std::abs(one.dy / other.dy - 1) <= printed;
 }
 
 inline bool same_grid(const Grid& one, const Grid& other) {

@@ -195,19 +195,20 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
 
 // ---- several surfaces ----
 
-void PooledAcf::add(const AcfResult& result) {
+void PooledAcf::add(const AcfResult& result, double weight) {
   const Field own = result.sums->acf(result.estimate).half_plane();
   if (n_ == 0) mean_ = squares_ = products_ = Field::Zero(own.rows(), own.cols());
   const Field apart = own - mean_;
-  const double of_variance = apart(0, apart.cols() / 2), share = n_ / (n_ + 1);
-  mean_ += apart / ++n_;
+  const double of_variance = apart(0, apart.cols() / 2), share = weight * weights_ / (weights_ + weight);
+  ++n_, weights_ += weight;
+  mean_ += weight * apart / weights_;
   squares_ += share * apart.square(), products_ += share * of_variance * apart;
 }
 
 Field PooledAcf::values(bool absolute) const { return absolute ? mean_ : Field(mean_ / variance()); }
 
 Field PooledAcf::errors(bool absolute) const {
-  const double of_mean = n_ * (n_ - 1);
+  const double of_mean = weights_ * (n_ - 1);
   if (absolute) return (squares_ / of_mean).sqrt();
   const Field rho = values(false);
   const Index zero = mean_.cols() / 2;
@@ -217,27 +218,27 @@ Field PooledAcf::errors(bool absolute) const {
 }
 
 void AcfEnsemble::add(const AcfResult& result, const Parameters& lengths, bool function) {
-  grid_ = result.estimate.grid();
-  lengths_.add(lengths);
-  if (result.sums) pool_.add(*result.sums);
+  const double weight = weights_.of(result.area);
+  lengths_.add(lengths, weight);
+  pool_.add(*result.sums, weight);
   if (!function) return;
-  acf_.add(result);
-  if (result.structure) structure_.add(result.structure->half_plane());
+  acf_.add(result, weight);
+  if (result.structure) structure_.add(result.structure->half_plane(), weight);
   structured_ = result.structure.has_value();
 }
 
 std::vector<EnsembleParameter> AcfEnsemble::lengths() const {
   std::vector<EnsembleParameter> out = lengths_.all();
-  take_pooled(out, pool_.all(of_acf_), pool_.maps());
+  take_pooled(out, pool_.all(of_acf_), pool_);
   return out;
 }
 
 Dataset AcfEnsemble::dataset() const {
   Dataset out;
-  set_grid(out, grid_);
+  set_grid(out, grid());
   out.attributes.set("acf_variable", content_.variable);
   out.attributes.set("acf_surfaces", surfaces());
-  Writer writer(out, grid_, content_);
+  Writer writer(out, grid(), content_);
   writer.acf(acf_.values(content_.absolute), "autocorrelation of the pooled surfaces");
   writer.error(acf_.errors(content_.absolute), "standard error of the pooled autocorrelation");
   if (structured_) writer.structure(structure_.mean());

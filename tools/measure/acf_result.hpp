@@ -30,6 +30,7 @@ struct AcfResult {
   std::optional<std::array<ProfileErrors, 2>> profiles = {};
   std::optional<LengthErrors> lengths = {};
   std::optional<MapSums> sums = {};  ///< of one of several
+  double area = 0;                   ///< of its measured points
 };
 
 /// Which of them, and how.
@@ -61,17 +62,17 @@ void add_acf(Dataset& data, const AcfResult& result, const Parameters& lengths, 
 
 /// The pooled ACF of several surfaces, (2) of stats/measure/pooled_maps.hpp, at all their lags. With
 /// X_i = R_i + B_i b_i and ρ = Σ X_i/Σ X_i(0), its errors are to first order
-///     SE² = Σ (X_i - ρ X_i(0))²/(n (n-1) X̄(0)²),
-/// those of the mean of X_i where R is asked for.
+///     SE² = Σ a_i (X_i - ρ X_i(0))²/((n-1) X̄(0)²),
+/// those of the mean of X_i where R is asked for, with shares a_i of the area.
 class PooledAcf {
  public:
-  void add(const AcfResult& result);
+  void add(const AcfResult& result, double weight);
   /// R, or R / R(0,0).
   Field values(bool absolute) const;
   Field errors(bool absolute) const;
 
  private:
-  double n_ = 0;
+  double n_ = 0, weights_ = 0;
   Field mean_ = {}, squares_ = {}, products_ = {};  ///< X̄, Σ (X - X̄)², Σ (X - X̄)(X(0) - X̄(0))
   double variance() const { return mean_(0, mean_.cols() / 2); }
 };
@@ -85,16 +86,17 @@ class AcfEnsemble {
   /// `function`: the ACF itself too, for a dataset.
   void add(const AcfResult& result, const Parameters& lengths, bool function);
 
-  const Grid& grid() const { return grid_; }
+  const Grid& grid() const { return pool_.grid(); }
+  const AreaWeights& weights() const { return weights_; }
   int surfaces() const { return lengths_.surfaces(); }
   std::vector<EnsembleParameter> lengths() const;
-  /// A dataset without heights, on the grid of the surfaces.
+  /// A dataset without heights, on the grid of the first surface.
   Dataset dataset() const;
 
  private:
   AcfContent content_;
   PooledOptions of_acf_;
-  Grid grid_ = {};  ///< of the last surface
+  AreaWeights weights_ = {};
   EnsembleParameters lengths_ = {};
   PooledMaps pool_ = {};
   PooledAcf acf_ = {};
