@@ -4,6 +4,7 @@
 #include "acf/band_limited.hpp"
 #include "core/error.hpp"
 #include "fields.hpp"
+#include "holes.hpp"
 #include "stats/filter/form.hpp"
 #include "stats/uncertainty/aligned_share.hpp"
 #include "surface/synthesis.hpp"
@@ -32,12 +33,6 @@ Field without(Field z, Index i, Index j, Index lines_to) {
   z.col(3).setConstant(NAN);
   z.col(lines_to).head(z.rows() / 2).setConstant(NAN);
   return z;
-}
-
-// From the middle of the field, where missing points are zero.
-double largest_difference(const Field& a, const Field& b) {
-  CHECK((a.isNaN() == b.isNaN()).all());
-  return (a - b).isNaN().select(0, a - b).abs().maxCoeff();
 }
 
 bool same_points(const Field& a, const Field& b) {
