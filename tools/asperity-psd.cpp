@@ -17,28 +17,11 @@
 #include "tools/cli/table.hpp"
 #include "tools/measure/field_options.hpp"
 #include "tools/measure/preparation_words.hpp"
+#include "tools/measure/psd_tables.hpp"
 
 using namespace asperity;
 
 namespace {
-
-using Reach = CommonWaveNumbers::Reach;
-
-Reach reach_along(Axis1D axis, const Grid& grid, const Grid& finest) {
-  return axis == Axis1D::x ? Reach::of(2 * std::numbers::pi / grid.size_x(), grid.dx, finest.dx)
-                           : Reach::of(2 * std::numbers::pi / grid.size_y(), grid.dy, finest.dy);
-}
-Reach reach_of_rings(const Grid& grid, const Grid& finest) {
-  return Reach::of(2 * std::numbers::pi / std::min(grid.size_x(), grid.size_y()), std::max(grid.dx, grid.dy),
-                   std::max(finest.dx, finest.dy));
-}
-
-// What several surfaces of unequal grids have in common.
-struct Common {
-  CommonWaveNumbers radial, x, y;
-  std::vector<double> areas;
-  Grid finest;  ///< its spacings
-};
 
 struct Options {
   std::string window = "auto";
@@ -61,115 +44,6 @@ struct Options {
   }
 };
 
-constexpr const char* per_length = "rad m-1";
-
-// Columns of the errors of a density.
-std::vector<cli::Column> of_errors(const std::string& unit) {
-  return {{"psd", unit},
-          {"standard_error", unit, cli::Holds::unknown},
-          {"low_95", unit, cli::Holds::unknown},
-          {"high_95", unit, cli::Holds::unknown},
-          {"no_error", ""}};
-}
-
-std::string word(NoError why) { return why == NoError::none ? "-" : reason(why); }
-
-// Waves and scales below `least` are not the surface's.
-std::vector<cli::Cell> cells(SpectrumPoint point, double least) {
-  if (point.wave_number * least > 2 * std::numbers::pi)
-    point.no_error = NoError::tip, point.standard_error = NAN;
-  const Interval ends = point.interval();
-  return {point.density, point.standard_error, ends.low, ends.high, word(point.no_error)};
-}
-
-// Without the columns that unequal grids have not in common.
-cli::Table common_table(std::vector<cli::Column> keys, const std::string& unit) {
-  cli::Table out{std::move(keys), {}};
-  out.columns.push_back({"psd", unit});
-  out.columns.push_back({"standard_error", unit, cli::Holds::unknown});
-  return out;
-}
-
-cli::Table common_radial(const Sample& sample, const DataWindows& windows, const Common& common) {
-  cli::Table out = common_table({{"wave_number", per_length}}, cli::density_units(sample.surface().units, 2));
-  const Reach reach = reach_of_rings(sample.grid(), common.finest);
-  for (const SpectrumPoint& p : common.radial.means(radial_spectrum(sample, windows), reach))
-    out.rows.push_back({p.wave_number, p.density, p.standard_error});
-  return out;
-}
-
-cli::Table common_profiles(const Sample& sample, const DataWindows& windows, const Common& common) {
-  cli::Table out = common_table({{"direction", ""}, {"wave_number", per_length}},
-                                cli::density_units(sample.surface().units, 1));
-  for (const Axis1D axis : {Axis1D::x, Axis1D::y}) {
-    const bool x = axis == Axis1D::x;
-    const auto own = profile_spectrum(sample, axis, x ? windows.x : windows.y);
-    const Reach reach = reach_along(axis, sample.grid(), common.finest);
-    for (const SpectrumPoint& p : (x ? common.x : common.y).means(own, reach))
-      out.rows.push_back({x ? "x" : "y", p.wave_number, p.density, p.standard_error});
-  }
-  return out;
-}
-
-cli::Table radial(const Sample& sample, const DataWindows& windows, double least) {
-  const Surface& surface = sample.surface();
-  cli::Table out{{{"wave_number", per_length}}, {}};
-  std::ranges::copy(of_errors(cli::density_units(surface.units, 2)), std::back_inserter(out.columns));
-  out.columns.push_back({"count", "1"});
-  for (const SpectrumPoint& ring : radial_spectrum(sample, windows)) {
-    std::vector<cli::Cell>& row = out.rows.emplace_back();
-    row.emplace_back(ring.wave_number);
-    std::ranges::copy(cells(ring, least), std::back_inserter(row));
-    row.emplace_back(ring.count);
-  }
-  if (out.rows.empty())
-    throw DataError("heights",
-                    "no ring of wave numbers fits a field of " + cli::described(surface.grid) +
-                        ": its shorter side is below twice the larger spacing; use --result profiles or "
-                        "--result dataset");
-  return out;
-}
-
-cli::Table profiles(const Sample& sample, const DataWindows& windows, double least) {
-  cli::Table out{{{"direction", ""}, {"wave_number", per_length}}, {}};
-  std::ranges::copy(of_errors(cli::density_units(sample.surface().units, 1)),
-                    std::back_inserter(out.columns));
-  auto add = [&](const char* direction, Axis1D axis, DataWindow window) {
-    for (const SpectrumPoint& point : profile_spectrum(sample, axis, window)) {
-      std::vector<cli::Cell>& row = out.rows.emplace_back();
-      row.emplace_back(direction), row.emplace_back(point.wave_number);
-      std::ranges::copy(cells(point, least), std::back_inserter(row));
-    }
-  };
-  add("x", Axis1D::x, windows.x);
-  add("y", Axis1D::y, windows.y);
-  return out;
-}
-
-// Of a derivative of order d.
-std::string unit_of_derivative(const std::string& unit, int order) {
-  if (unit == "m") return order == 0 ? "m" : order == 1 ? "1" : "m-1";
-  const std::string per = order == 0 ? "" : "m-" + std::to_string(order);
-  return unit == "1" && order > 0 ? per : unit + (order > 0 ? " " : "") + per;
-}
-
-cli::Table scales(const Sample& sample, const DataWindows& windows, double least) {
-  cli::Table out{{{"quantity", ""}, {"direction", ""}, {"scale", "m"}, {"unit", ""}}, {}};
-  std::ranges::copy(of_errors("SI"), std::back_inserter(out.columns));
-  out.columns[4] = {"value", "SI", cli::Holds::unknown};
-  for (ScalePoint& at : by_scale(sample, windows)) {
-    if (at.scale < least) at.no_error = NoError::tip, at.estimate = {at.estimate.value};
-    const Interval ends = at.estimate.interval.value_or(Interval());
-    out.rows.push_back({at.quantity, at.axis == Axis1D::x ? "x" : "y", at.scale,
-                        unit_of_derivative(sample.surface().units, at.order), at.estimate.value,
-                        at.estimate.standard_error, ends.low, ends.high, word(at.no_error)});
-  }
-  if (out.rows.empty())
-    throw DataError("heights", "no scale fits a field of " + cli::described(sample.grid()) +
-                                   ": scales need a side of 4 points; use --result profiles");
-  return out;
-}
-
 // The scale from which on a tip has left the surface as it was; 0 without one.
 double least_scale(const cli::Tool& tool, const Options& what, const Surface& surface, bool alone) {
   if (!tool.given("--tip-radius")) return 0;
@@ -191,8 +65,8 @@ void write(Dataset& data, const char* name, const Field& half_plane, const Surfa
            const char* meaning) {
   const auto step = [](double size) { return 2 * std::numbers::pi / size; };
   set_table(data, name, half_plane,
-            {"wave_number_x", 0, step(surface.grid.size_x()), per_length, "wave number in x"},
-            {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), per_length,
+            {"wave_number_x", 0, step(surface.grid.size_x()), cli::per_length, "wave number in x"},
+            {"wave_number_y", -(half_plane.cols() / 2), step(surface.grid.size_y()), cli::per_length,
              "wave number in y"},
             {cli::density_units(surface.units, 2), meaning});
 }
@@ -203,7 +77,7 @@ void describe(Dataset& data, const Surface& surface, const DataWindows& windows)
 }
 
 cli::Table table(const cli::Tool& tool, const Options& what, Surface surface, bool alone,
-                 const std::optional<Common>& common) {
+                 const std::optional<cli::CommonSpectra>& common) {
   const DataWindows windows = what.windows(surface.grid);
   const bool flat = surface.flat;
   const double least = flat ? 0 : least_scale(tool, what, surface, alone);
@@ -212,11 +86,11 @@ cli::Table table(const cli::Tool& tool, const Options& what, Surface surface, bo
   if (common) {
     if (flat)
       throw DataError("heights", "a surface is flat, and the grids differ: leave it out, its density is 0");
-    return (result == "profiles" ? common_profiles : common_radial)(sample, windows, *common);
+    return (result == "profiles" ? cli::common_profiles : cli::common_radial)(sample, windows, *common);
   }
-  cli::Table out = (result == "profiles" ? profiles
-                    : result == "radial" ? radial
-                                         : scales)(sample, windows, least);
+  cli::Table out = (result == "profiles" ? cli::profile_psds
+                    : result == "radial" ? cli::radial_psd
+                                         : cli::scale_table)(sample, windows, least);
   const auto value = static_cast<std::size_t>(
       std::ranges::find(out.columns, "standard_error", &cli::Column::name) - out.columns.begin() - 1);
   for (auto& row : out.rows) {
@@ -226,19 +100,6 @@ cli::Table table(const cli::Tool& tool, const Options& what, Surface surface, bo
     if (!alone && row[value + 4] == cli::Cell(reason(NoError::size))) row[value + 4] = "-";
   }
   return out;
-}
-
-// What of these tables has a mean.
-cli::EnsembleTable::Content content_of(const cli::Table& one) {
-  if (one.columns[0].name == "quantity")
-    return {.keys = {"quantity", "direction", "scale", "unit"}, .value = "value", .reason = "no_error"};
-  if (std::ranges::find(one.columns, "no_error", &cli::Column::name) == one.columns.end())
-    return {.keys = one.columns[0].name == "direction" ? std::vector<std::string>{"direction", "wave_number"}
-                                                       : std::vector<std::string>{"wave_number"},
-            .value = "psd"};
-  if (one.columns[0].name == "direction")
-    return {.keys = {"direction", "wave_number"}, .value = "psd", .reason = "no_error"};
-  return {.keys = {"wave_number", "count"}, .value = "psd", .reason = "no_error"};
 }
 
 // The dataset of one surface.
@@ -291,22 +152,8 @@ Dataset mean_psd(const cli::Tool& tool, const cli::FieldOptions& field, const Op
   return out;
 }
 
-// None of one grid.
-std::optional<Common> common_to(const std::vector<Grid>& grids, const std::vector<double>& areas) {
-  if (std::ranges::all_of(grids, [&](const Grid& one) { return cli::same_grid(grids[0], one); })) return {};
-  Grid finest = grids[0];
-  for (const Grid& grid : grids)
-    finest.dx = std::min(finest.dx, grid.dx), finest.dy = std::min(finest.dy, grid.dy);
-  std::vector<Reach> rings, x, y;
-  for (const Grid& grid : grids) {
-    rings.push_back(reach_of_rings(grid, finest));
-    x.push_back(reach_along(Axis1D::x, grid, finest)), y.push_back(reach_along(Axis1D::y, grid, finest));
-  }
-  return Common{CommonWaveNumbers(rings), CommonWaveNumbers(x), CommonWaveNumbers(y), areas, finest};
-}
-
-std::optional<Common> common_to(const cli::Tool& tool, const std::string& variable,
-                                cli::EnsembleInput& surfaces) {
+std::optional<cli::CommonSpectra> common_to(const cli::Tool& tool, const std::string& variable,
+                                            cli::EnsembleInput& surfaces) {
   std::vector<Grid> grids;
   std::vector<double> areas;
   surfaces.for_each(
@@ -318,12 +165,12 @@ std::optional<Common> common_to(const cli::Tool& tool, const std::string& variab
       [&](const std::pair<Grid, double>& one, const std::string&) {
         grids.push_back(one.first), areas.push_back(one.second);
       });
-  return common_to(grids, areas);
+  return cli::common_spectra(grids, areas);
 }
 
 int print_tables(const cli::Tool& tool, const cli::FieldOptions& field, const Options& what,
                  cli::EnsembleInput& surfaces) {
-  std::optional<Common> common;
+  std::optional<cli::CommonSpectra> common;
   cli::Several several{.variable = field.variable};
   if (what.result.result == "scales") {
     several.on_one_grid = "the mean at each scale";
@@ -335,7 +182,7 @@ int print_tables(const cli::Tool& tool, const cli::FieldOptions& field, const Op
   if (common && tool.given("--tip-radius"))
     throw cli::UsageError("tip-radius", "marks wave numbers of one grid, but those of the surfaces differ");
   return cli::print_table(
-      tool, surfaces, several, &content_of,
+      tool, surfaces, several, &cli::psd_content,
       [&](const cli::EnsembleMember& member) {
         return table(tool, what, field.read_flat(tool, member.data), member.alone(), common);
       },

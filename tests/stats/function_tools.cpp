@@ -75,7 +75,7 @@ TEST_CASE("what asperity-acf and asperity-psd write is that of --result, on a te
   write_dataset(drawn_surface(), "drawn.nc");
   for (const auto& [command, tables] :
        {std::pair{std::string("asperity-acf drawn.nc"), std::string("--result profiles or --result lengths")},
-        {"asperity-psd drawn.nc", "--result profiles or --result radial"}}) {
+        {"asperity-psd drawn.nc", "--result profiles or --result radial or --result scales"}}) {
     CAPTURE(command);
     CHECK(shell(command + " | head -c 3").out == "CDF");
     const bool same =

@@ -183,9 +183,9 @@ TEST_CASE("the error of a surface among others comes in order", "[ordered_work][
       "asperity-filter --remove-form plane --threads THREADS u_*.nc -o v_%d.nc; code=$?; md5sum v_*.nc | "
       "wc -l; ls v_*; rm v_*; exit $code",
       4);
-  // That of another spacing ends the run.
+  // That of another spacing ends the run, where scales are in its steps.
   require("asperity-generate -q --shape 32x24 --size 2mm --rq 0.4um --length 3px --seed 1 -o u_05.nc");
-  check_alike("asperity-psd --result radial --threads THREADS u_*.nc", 4);
+  check_alike("asperity-psd --result scales --threads THREADS u_*.nc", 4);
 }
 
 // Those of the first were said to be about "-".
