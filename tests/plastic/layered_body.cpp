@@ -1,5 +1,6 @@
 #include "plastic/layered_body.hpp"
 
+#include "plastic/residual_stress.hpp"
 #include "stress/influence.hpp"
 #include "tests/plastic/fields.hpp"
 
@@ -308,4 +309,26 @@ TEST_CASE("the displacement of a window's strain on the whole grid is that of th
   const Field u = whole.displacement(), spread = surface_displacement(grid, 7, 9, whole.edges(), nu, strain);
   CHECK((u - spread).abs().maxCoeff() <= 1e-6 * u.abs().maxCoeff());
   CHECK((u.block(7, 9, 12, 10) - part.displacement()).abs().maxCoeff() <= 1e-6 * u.abs().maxCoeff());
+}
+
+// Below 0.5, layers of 0.1, 0.2, 0.4, 0.8, 1.6.
+TEST_CASE("the residual stress is that of layers at their middles, linear between, and goes on below",
+          "[plastic][exact]") {
+  const Grid grid{{16, 12}, 0.1, 0.1};
+  LayeredBody body(grid, uniform(0.5, 5), mu, nu), deep(grid, uniform(1.2, 12), mu, nu);
+  const LayeredField strain = gaussian_strain(body, amplitude, 0.3, 0.3);
+  LayeredField deeper(12, five, grid.shape);
+  deeper.values.head(strain.values.size()) = strain.values;
+  const LayeredField stress = residual_stress(deep, deeper, 6);
+  const ResidualStress residual(grid, body.edges(), strain, 1, nu);
+  auto xx = [&](Index k) -> Field {
+    return stress(k, 5) + deviator::root_half * stress(k, 0) - deviator::root_sixth * stress(k, 1);
+  };
+  const double largest = xx(1).abs().maxCoeff(), round_off = 1e-12 * largest;
+  CHECK((residual.layer(0.15, stress::xx) - xx(1)).abs().maxCoeff() <= round_off);
+  CHECK((residual.layer(0.175, stress::xx) - 0.75 * xx(1) - 0.25 * xx(2)).abs().maxCoeff() <= round_off);
+  CHECK((residual.layer(0.7, stress::xx) - (xx(6) + xx(7)) / 2).abs().maxCoeff() <= round_off);
+  CHECK(xx(6).abs().maxCoeff() >= 0.01 * largest);
+  CHECK(residual.at(grid.x(3), grid.y(4), 0.15)[stress::xx] == Approx(xx(1)(3, 4)).epsilon(1e-10));
+  CHECK(residual.layer(3.7, stress::xx).abs().maxCoeff() == 0);
 }
