@@ -13,6 +13,8 @@ namespace asperity {
 namespace {
 
 constexpr int scanner_degree = 2;    // of tilt and bow, which are of no surface
+constexpr Index least_points = 10;   // of a line, to tell a correlation
+constexpr double no_height = 1e-20;  // of squares: round-off
 constexpr double most_kept = 0.875;  // of 1 in (2): M/n Σ v of lags up to half a line is 0.75
 
 double mean_square(const Field& z) {
@@ -71,9 +73,11 @@ TakenByAlignment taken_by_alignment(const AlignedRows& aligned, const Grid& grid
   lines = above_scanner(lines);
   const double left = mean_square(lines);
   const Grid turned{shape_of(lines), x ? grid.dy : grid.dx, x ? grid.dx : grid.dy};
-  const double estimate = jumps ? std::pow(aligned.taken, 2)
-                                : of_means + left * lost_by_modes(lines, turned, how.degree, threads),
-               taken = std::min(estimate, std::pow(aligned.removed, 2));
+  const double went = std::pow(aligned.removed, 2);
+  double estimate = std::pow(aligned.taken, 2);
+  if (!jumps) estimate = of_means + left * lost_by_modes(lines, turned, how.degree, threads);
+  if (!jumps && (lines.cols() < least_points || left <= no_height * went)) estimate = INFINITY;
+  const double taken = std::min(estimate, went);
   return {std::sqrt(taken), taken<estimate, taken> 0 ? std::sqrt(taken / (left + taken)) : 0};
 }
 
