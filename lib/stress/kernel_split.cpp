@@ -1,5 +1,3 @@
-#include "stress/kernel_split.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,7 +5,7 @@
 #include "core/parallel.hpp"
 #include "stress/corner.hpp"
 #include "stress/equivalent.hpp"
-#include "stress/layer_maxima.hpp"
+#include "stress/search.hpp"
 
 namespace asperity {
 namespace {

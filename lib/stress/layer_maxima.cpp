@@ -1,10 +1,9 @@
-#include "stress/layer_maxima.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "stress/layers.hpp"
+#include "stress/search.hpp"
 
 namespace asperity {
 namespace {

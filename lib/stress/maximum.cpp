@@ -12,8 +12,7 @@
 #include "core/extent.hpp"
 #include "core/parallel.hpp"
 #include "stress/equivalent.hpp"
-#include "stress/peak.hpp"
-#include "stress/shallow.hpp"
+#include "stress/search.hpp"
 
 namespace asperity {
 namespace {

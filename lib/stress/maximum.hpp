@@ -5,11 +5,11 @@
 /// and scans the geometric depths
 ///     z_k = max(¼ h, z_0) √2^k,  h = min(Δx, Δy),  down to half the longer side of the loaded region,  (1)
 /// for the local maxima of the layers: where z < 12 Δ, Δ = max(Δx, Δy), in the tiles of cells whose bound
-/// exceeds the largest value found so far (stress/shallow.hpp), deeper on cells as wide as a third of the
-/// depth (stress/layer_maxima.hpp). Maxima that may lead above the largest (least_start) are refined at
-/// points of the field (stress/peak.hpp). From one longer side of a cell on, the maximum is that of the field
-/// at any place; above it, where the field shows the steps between the cells, that at their centres. In a
-/// free domain the search ends at the centres of the outermost cells.
+/// exceeds the largest value found so far, deeper on cells as wide as a third of the depth. Maxima that may
+/// lead above the largest (least_start) are refined at points of the field (all in stress/search.hpp). From
+/// one longer side of a cell on, the maximum is that of the field at any place; above it, where the field
+/// shows the steps between the cells, that at their centres. In a free domain the search ends at the centres
+/// of the outermost cells.
 ///
 /// The surface bears most at the trailing edge of a sliding contact (von Mises, Hertz, ν = 0.3, from μ =
 /// 0.305 on), at a long cylinder's or a wave's middle where ν is small (below 0.19 and 0.15), and at the

@@ -1,10 +1,8 @@
-#include "stress/peak.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "stress/layer_maxima.hpp"
+#include "stress/search.hpp"
 
 namespace asperity {
 namespace {

@@ -1,11 +1,9 @@
-#include "stress/shallow.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/parallel.hpp"
-#include "stress/kernel_split.hpp"
+#include "stress/search.hpp"
 #include "transform/plan.hpp"
 
 namespace asperity {

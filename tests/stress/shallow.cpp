@@ -1,11 +1,9 @@
 /// What the search for the largest stress leaves out is lower, and what it starts from is there.
-#include "stress/shallow.hpp"
-
 #include <random>
 
 #include "layer.hpp"
-#include "stress/kernel_split.hpp"
 #include "stress/points.hpp"
+#include "stress/search.hpp"
 #include "support.hpp"
 
 using namespace asperity;
