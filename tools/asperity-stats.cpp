@@ -201,9 +201,9 @@ int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const 
 }
 
 void document(cli::Tool& tool) {
-  tool.essential({"--parameters", "--profile", "--quantiles", "--material-ratio", "--sal-level", "--compare",
-                  "--noise", "--variable", "--remove-form", "--lambda-s", "--lambda-c", "--json",
-                  "--output"});
+  tool.essential({"--parameters", "--profile", "--quantiles", "--material-ratio", "--sal-level",
+                  "--direction", "--compare", "--variable", "--remove-form", "--lambda-s", "--lambda-c",
+                  "--json", "--output"});
   tool.example("asperity-generate --shape 128x128 --size 3mm --rq 0.4um --length 17px,4px | asperity-stats");
 }
 

@@ -97,7 +97,9 @@ PlasticBox yielding_box(const Grid& grid, const Field& pressure, double poisson,
 
 PlasticBox grown(const PlasticBox& box, const FlowReach& reached, const Grid& grid) {
   auto more = [](Extent e, Extent of, Index cells, bool periodic) {
-    return of.count == 0 ? e : widened(e, of.first <= e.first, of.end() >= e.end(), cells, periodic);
+    if (of.count == 0) return e;
+    const bool at_end = of.first + of.count >= e.first + e.count;
+    return widened(e, of.first <= e.first, at_end, cells, periodic);
   };
   PlasticBox out{more(box.x, reached.x, grid.shape.nx, grid.periodic.x),
                  more(box.y, reached.y, grid.shape.ny, grid.periodic.y), box.edges};

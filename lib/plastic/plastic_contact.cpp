@@ -157,8 +157,10 @@ void PlasticContact::solve(const PlasticTarget& target, const Field& displaced) 
   Field gap = gap_;
   if (displaced.size() > 0) box_.of(gap) += displaced;
   const bool pressed = target.approach ? *target.approach > gap.minCoeff() : target.load > 0;
-  contact_ = pressed ? solve_contact(grid_, std::move(gap), influence_, parameters_of(target))
-                     : untouched(gap, target.approach);
+  if (pressed)
+    contact_ = solve_contact(grid_, std::move(gap), influence_, parameters_of(target));
+  else
+    contact_ = untouched(gap, target.approach);
   convolutions_ += contact_.convolutions;
 }
 

@@ -135,7 +135,7 @@ RowAlignment alignment_of(const std::string& value) {
   if (words.size() > 2 || (words.size() == 2 && words[1] != "x" && words[1] != "y"))
     refuse(name, value, "is not METHOD, METHOD,x or METHOD,y");
   if (words.size() == 2 && words[1] == "y") out.along = Axis1D::y;
-  const std::string& method = words.front();
+  const std::string method = words.front();
   if (method == "median" || method == "median-difference" || method == "jumps") {
     out.method = method == "median" ? median : method == "jumps" ? jumps : median_difference;
     return out;
