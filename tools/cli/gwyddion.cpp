@@ -57,7 +57,9 @@ std::string refusal(const ProgramRun& run, const std::string& path, ProgramLimit
   if (run.end == too_large || run.messages.find("failed to allocate") != std::string::npos)
     return "Gwyddion needs more memory to read the file than `memory` allows";
   const std::string words = complaint(run, path);
-  return what + ", and Gwyddion cannot read the file either" + (words.empty() ? "" : ": " + words);
+  const std::string out =
+      what + ", and Gwyddion cannot read the file either" + (words.empty() ? "" : ": " + words);
+  return out + (out.ends_with('.') ? "" : ".") + " Save it as .x3p or text with the instrument's own program";
 }
 
 // Gwyddion 2.62 takes sizes of WSxM in the prefix of the heights: where heights are in nm, 1 µm becomes 1 nm.
