@@ -126,6 +126,10 @@ Act median(const std::string& value) {
 
 // ---- scan lines ----
 
+int degree_of(const std::string& method) {
+  return method == "mean" ? 0 : to_number<int>(method).value_or(-1);
+}
+
 // "2", "median,y".
 RowAlignment alignment_of(const std::string& value) {
   using enum RowAlignment::Method;
@@ -135,17 +139,17 @@ RowAlignment alignment_of(const std::string& value) {
   if (words.size() > 2 || (words.size() == 2 && words[1] != "x" && words[1] != "y"))
     refuse(name, value, "is not METHOD, METHOD,x or METHOD,y");
   if (words.size() == 2 && words[1] == "y") out.along = Axis1D::y;
-  const std::string method = words.front();
+  const std::string& method = words.front();
   if (method == "median" || method == "median-difference" || method == "jumps") {
     out.method = method == "median" ? median : method == "jumps" ? jumps : median_difference;
     return out;
   }
-  const auto degree = method == "mean" ? 0 : to_number<int>(method);
-  if (!degree || *degree < 0 || *degree > largest_form_degree)
+  const int degree = degree_of(method);
+  if (degree < 0 || degree > largest_form_degree)
     refuse(name, method,
            "is none of median|mean|median-difference|jumps, nor a degree from 0 to " +
                std::to_string(largest_form_degree));
-  out.method = polynomial, out.degree = *degree;
+  out.method = polynomial, out.degree = degree;
   return out;
 }
 
