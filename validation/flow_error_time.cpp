@@ -7,11 +7,14 @@
 ///
 /// Table 1   load over that at ω_c, contact area over π ω_c R, largest pressure and von Mises stress over σ_Y,
 ///           and dent over approach after unloading, with the fits of Kogut & Etsion 2002 (ke), Jackson & Green
-///           2005 (jg) and Etsion, Kligerman & Kadin 2005 (ekk). From memory: their papers could not be had.
+///           2005 (jg) and Etsion, Kligerman & Kadin 2005 (ekk)
 ///           cut: a contact under the same load whose pressure is limited to 3 σ_Y, with the largest von Mises
 ///           stress more than two cells below it
 /// Table 2   at ω* = 6, by cells, layers or increments: relative errors of load, largest pressure and dent,
 ///           the reference being the last row of each kind
+///
+/// The papers of the fits were not at hand. The constants of jg, and of the load of ke, are those of other
+/// programs, which agree; those of the area of ke and of ekk are from memory, not confirmed.
 #include <cmath>
 #include <cstdlib>
 #include <numbers>

@@ -102,7 +102,8 @@ TEST_CASE("a sphere yields first at 1.613 times the yield stress", "[plastic][ex
 
 // Fits of finite elements by Kogut and Etsion, J. Appl. Mech. 69 (2002) 657, and by Jackson and Green, J.
 // Tribology 127 (2005) 343, which differ by 3 % themselves. Unloaded from 20, Etsion, Kligerman and Kadin,
-// Int. J. Solids Struct. 42 (2005) 3716: dent/approach = (1 - ω⁻⁰·²⁸)(1 - ω⁻⁰·⁶⁹).
+// Int. J. Solids Struct. 42 (2005) 3716: dent/approach = (1 - ω⁻⁰·²⁸)(1 - ω⁻⁰·⁶⁹). The constants of the load are
+// confirmed by other programs, those of area and dent are from memory.
 TEST_CASE("a sphere's load, area and dent are those of finite elements", "[plastic][exact][slow]") {
   for (const double approach : {2.0, 6.0, 20.0}) {
     const bool small = approach <= 6;
