@@ -201,6 +201,7 @@ void measure_several(cli::Tool& tool, const cli::FieldOptions& field, const Opti
     tool.note(
         "twins of the mean of several surfaces have Gaussian heights, unless asperity-generate --marginal "
         "says otherwise");
+  cli::warn_of_lays(tool, lengths);
   cli::tell_weights(tool, mean->weights());
   cli::tell_interval(tool, mean->surfaces(), PooledMaps::most_degrees);
   if (!what.result.dataset()) return cli::print(tool, cli::ensemble_table(lengths));
@@ -234,14 +235,14 @@ int print_profiles(const cli::Tool& tool, const cli::FieldOptions& field, const 
       },
       [&](const One& one, const std::string& name) {
         if (alone) return cli::print(tool, one.table);
-        const double weight = weights.of(one.result.area);
+        const double weight = weights.of(one.result.area, one.result.enough());
         mean.add(one.table, name, weight), pooled.add(one.result, weight);
       },
       several);
   cli::tell_weights(tool, weights);
   if (!alone)
     mean.print(tool, cli::profiles_of(pooled.values(what.absolute)),
-               cli::profiles_of(pooled.errors(what.absolute)));
+               (weights.give_errors() ? 1.0 : unknown) * cli::profiles_of(pooled.errors(what.absolute)));
   return code;
 }
 
@@ -253,7 +254,9 @@ int measure(cli::Tool& tool, const cli::FieldOptions& field, Options& what, cli:
       .variable = field.variable,
       .of_sizes = "each surface counts by its measured area",
       .of_spacings =
-          lengths ? "correlations are pooled at the coarsest spacing, each surface by its measured area" : "",
+          lengths
+              ? "correlations are pooled at the coarsest spacing and the lags that all have, by measured area"
+              : "",
       .on_one_grid = !lengths && own_lags ? "the mean at each lag, unless --max-lag gives the lags," : ""};
   if (result == "profiles") return print_profiles(tool, field, what, surfaces, several);
   if (surfaces.resolve(tool) == 1)

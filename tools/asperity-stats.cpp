@@ -112,7 +112,7 @@ class Mean {
   /// By their areas, or else alike.
   Mean(const MeasureOptions& asked, bool by_area) : asked_(asked), by_area_(by_area) {}
   void add(const Measured& one) {
-    const double weight = weights_.of(by_area_ ? one.area : 1);
+    const double weight = weights_.of(by_area_ ? one.area : 1, !one.size || one.size->gives_errors());
     if (weights_.maps() == 1) first_ = one.grid;
     one_spacing_ &= same_spacing(first_, one.grid);
     means_.add(one.rows, weight);
@@ -135,10 +135,19 @@ class Mean {
     const Parameters pooled = pool_.all({asked_.quantiles, asked_.material_ratios, heights_, of_acf});
     take_pooled(out, pooled, pool_);
     if (noise_ > 0) take_pooled(out, without_noise(pooled, noise_, pool_.grid(), asked_.direction), pool_);
+    for (EnsembleParameter& p : out) judge_error(p);
     return out;
   }
 
  private:
+  // Where one has half of the area, the others tell little of its error: not below theory's then.
+  void judge_error(EnsembleParameter& p) const {
+    const double of_theory = p.expected_spread / std::sqrt(p.surfaces);
+    if (!weights_.give_errors()) p.standard_error = unknown;
+    if (weights_.most() > 0.5 && weights_.differ() && of_theory > p.standard_error)
+      p.standard_error = of_theory;
+  }
+
   const MeasureOptions& asked_;
   std::vector<MaterialHeight> heights_ = {};
   bool by_area_;
@@ -152,7 +161,8 @@ class Mean {
 
 constexpr const char* of_spacings =
     "heights and correlations are pooled, each surface by its measured area, correlations at the coarsest "
-    "spacing; slopes, summits, features and extremes depend on the spacing and have no value";
+    "spacing and the lags that all have; slopes, summits, features and extremes depend on the spacing and "
+    "have no value";
 
 // Whether some of it is pooled of any spacings.
 bool pools(const MeasureOptions& asked) {
@@ -192,10 +202,11 @@ int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const 
   else if (surfaces_in_mean == 1)
     cli::print(tool, last);
   else {
-    const cli::Table pooled = cli::ensemble_table(mean.pooled());
+    const std::vector<EnsembleParameter> pooled = mean.pooled();
+    cli::warn_of_lays(tool, pooled);
     cli::tell_weights(tool, mean.weights());
     cli::tell_interval(tool, surfaces_in_mean, PooledMaps::most_degrees);
-    cli::print(tool, pooled);
+    cli::print(tool, cli::ensemble_table(pooled));
   }
   return cli::done;
 }

@@ -31,8 +31,9 @@ Eigen::ArrayXd Ensemble::spread() const {
   return (count_ > 1).select((squares_ / (count_ - 1) * (count_ / weights_)).sqrt(), NAN);
 }
 
-double AreaWeights::of(double area) {
+double AreaWeights::of(double area, bool enough) {
   if (maps_++ == 0) first_ = area;
+  enough_ &= enough;
   const double weight = area / first_;
   sum_ += weight;
   least_ = maps_ == 1 ? weight : std::min(least_, weight);

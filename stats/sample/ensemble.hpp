@@ -10,7 +10,10 @@
 /// Maps of one surface have variances as their areas A, to first order in correlation length over side: the
 /// number of independent heights is proportional to A. With w = A the mean has the least variance, and (2) is
 /// free of bias, with m - 1 degrees of freedom; spread is that of maps of mean area. Areas do not depend on
-/// the heights, as an estimated number of independent heights does: a mean so weighted would be biased.
+/// the heights, as an estimated number of independent heights does: a mean so weighted would be biased. The
+/// variance of maps hardly larger than a correlation length does not grow as 1/A: beside larger ones they
+/// would make (2) too small. Of unequal areas there is an error only where each has independent heights
+/// enough.
 ///
 /// Accuracy  relative to the spread, independent of the offset. The standard error has a relative error of
 ///           1/√(2(m-1)). If maps differ by more than chance, so that variances are equal and areas are not,
@@ -42,15 +45,19 @@ class Ensemble {
 /// The weights of maps by their areas, in that of the first, so that equal maps have the weight 1 exactly.
 class AreaWeights {
  public:
-  double of(double area);
+  /// `enough`: the map has independent heights enough for errors of its own.
+  double of(double area, bool enough = true);
   int maps() const { return maps_; }
   double sum() const { return sum_; }
   double least() const { return least_ / sum_; }  ///< of the whole
   double most() const { return most_ / sum_; }
   bool differ() const { return most_ > least_; }
+  bool give_errors() const { return enough_ || most_ <= alike_ * least_; }
 
  private:
+  static constexpr double alike_ = 1.1;
   int maps_ = 0;
+  bool enough_ = true;
   double first_ = 0, sum_ = 0, least_ = 0, most_ = 0;
 };
 /// The area of the points that are measured; of a profile too.

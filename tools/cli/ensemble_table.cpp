@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -53,7 +54,26 @@ void tell_interval(const Tool& tool, double surfaces, double most_degrees) {
 void tell_weights(const Tool& tool, const AreaWeights& weights) {
   if (!weights.differ()) return;
   tool.note(counted(weights.maps(), "surface") + " count by measured area, from " +
-            in_digits(100 * weights.least(), 2) + " to " + in_digits(100 * weights.most(), 2) + " % of all");
+            in_digits(100 * weights.least(), 3) + " to " + in_digits(100 * weights.most(), 3) + " % of all");
+  if (!weights.give_errors())
+    tool.warn(
+        "a surface has too few independent heights to count by its area, and there are no standard errors: "
+        "leave out the smallest");
+}
+
+void warn_of_lays(const Tool& tool, const std::vector<EnsembleParameter>& parameters) {
+  constexpr double degree = std::numbers::pi / 180, notable = 5 * degree;
+  for (const EnsembleParameter& p : parameters) {
+    const bool lay = p.name == "gamma_direction" || p.name.starts_with("ellipticity_");
+    const double of_spread = 1 / std::sqrt(2 * (p.surfaces - 1));  // its relative error
+    const bool differ = p.spread > notable && p.spread > (1 + 4 * of_spread) * p.expected_spread;
+    if (!lay || p.unit != "rad" || !differ) continue;
+    return tool.warn(
+        "the lays differ by " + in_digits(p.spread / degree, 2) + " deg (" + p.name + "), their errors are " +
+        in_digits(p.expected_spread / degree, 2) +
+        " deg: lengths, ratios and directions are those of a mixture, heights are pooled; turn the "
+        "surfaces (asperity-filter --rotate), or measure them separately");
+  }
 }
 
 Table ensemble_table(const std::vector<EnsembleParameter>& parameters) {
@@ -199,6 +219,8 @@ void EnsembleTable::print(const Tool& tool, const Eigen::ArrayXd& pooled,
     row[value] = pooled(i), row[value + 1] = errors(i);
   }
   tell_interval(tool, surfaces_, pooled.size() > 0 ? PooledMaps::most_degrees : INFINITY);
+  if (values_.count().minCoeff() < surfaces_)
+    tool.note("rows of fewer surfaces have fewer degrees of freedom, surfaces - 1");
   cli::print(tool, out);
 }
 

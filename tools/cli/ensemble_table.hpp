@@ -24,8 +24,13 @@ namespace asperity::cli {
 /// Notes what a standard error of so many surfaces is worth: "4 surfaces: a 95 % interval is 3.18 standard
 /// errors to either side, Student's t of 3 degrees of freedom". Nothing of fewer than two.
 void tell_interval(const Tool& tool, double surfaces, double most_degrees = INFINITY);
-/// Notes the shares of unequal areas: "12 surfaces count by measured area, from 3.6 to 14 % of all".
+/// Notes the shares of unequal areas: "12 surfaces count by measured area, from 3.6 to 14 % of all". Warns
+/// where they give no errors.
 void tell_weights(const Tool& tool, const AreaWeights& weights);
+
+/// Warns where the lays of surfaces differ by more than their errors and 5°: what is pooled over them has
+/// heights in common, and no lengths.
+void warn_of_lays(const Tool& tool, const std::vector<EnsembleParameter>& parameters);
 
 // ---- a row for each parameter ----
 

@@ -218,7 +218,7 @@ Field PooledAcf::errors(bool absolute) const {
 }
 
 void AcfEnsemble::add(const AcfResult& result, const Parameters& lengths, bool function) {
-  const double weight = weights_.of(result.area);
+  const double weight = weights_.of(result.area, result.enough());
   lengths_.add(lengths, weight);
   pool_.add(*result.sums, weight);
   if (!function) return;
@@ -230,6 +230,8 @@ void AcfEnsemble::add(const AcfResult& result, const Parameters& lengths, bool f
 std::vector<EnsembleParameter> AcfEnsemble::lengths() const {
   std::vector<EnsembleParameter> out = lengths_.all();
   take_pooled(out, pool_.all(of_acf_), pool_);
+  if (!weights_.give_errors())
+    for (EnsembleParameter& p : out) p.standard_error = unknown;
   return out;
 }
 
@@ -240,7 +242,8 @@ Dataset AcfEnsemble::dataset() const {
   out.attributes.set("acf_surfaces", surfaces());
   Writer writer(out, grid(), content_);
   writer.acf(acf_.values(content_.absolute), "autocorrelation of the pooled surfaces");
-  writer.error(acf_.errors(content_.absolute), "standard error of the pooled autocorrelation");
+  const double known = weights_.give_errors() ? 1 : unknown;
+  writer.error(known * acf_.errors(content_.absolute), "standard error of the pooled autocorrelation");
   if (structured_) writer.structure(structure_.mean());
   writer.taper();
   const Parameters pooled = pool_.all({});

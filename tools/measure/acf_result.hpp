@@ -31,6 +31,7 @@ struct AcfResult {
   std::optional<LengthErrors> lengths = {};
   std::optional<MapSums> sums = {};  ///< of one of several
   double area = 0;                   ///< of its measured points
+  bool enough() const { return estimate.size.gives_errors(); }
 };
 
 /// Which of them, and how.
