@@ -52,6 +52,12 @@ PlasticContact::PlasticContact(const Grid& grid, Field gap, const Bodies& bodies
       contact_parameters_(std::move(contact_parameters)),
       parameters_(std::move(parameters)) {
   parameters_.check();
+  constexpr Index least_cells = 8;  // that the images of a body that is not periodic are taken off by
+  if ((!grid_.periodic.x && grid_.shape.nx < least_cells) ||
+      (!grid_.periodic.y && grid_.shape.ny < least_cells))
+    throw ParameterError("plasticity",
+                         fmt::format("j2 needs {} cells along each axis that is not periodic, found {} x {}",
+                                     least_cells, grid_.shape.nx, grid_.shape.ny));
   for (std::size_t i = 0; i < 2; ++i) {
     materials_[i] = {parameters_.hardening[i], bodies.young[i], bodies.poisson[i]};
     if (materials_[i].hardening.flows() && !std::isfinite(bodies.young[i]))
