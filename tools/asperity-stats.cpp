@@ -23,6 +23,8 @@ struct Measured {
   std::optional<MapSums> sums = {};              ///< of one of several, that is not flat
   std::vector<MaterialHeight> heights = {};
   double noise = 0;                      ///< that was taken off some rows; none: 0
+  Field points = {};                     ///< of one of two that are compared
+  std::string units = {};                ///< of these
   std::string missing = {}, doubt = {};  ///< why it has no hybrid parameters; what they are doubted for
 };
 
@@ -98,6 +100,8 @@ Measured measured(const cli::Tool& tool, const cli::StatsOptions& options, Measu
   if (options.errors == "none") drop_errors(out.rows);
   if (!member.alone() && !options.compare) out.sums = map_sums(sample, out.rows, asked);
   out.heights = asked.material_heights;
+  if (options.compare && member.of == 2)
+    out.points = sample.surface().heights, out.units = sample.surface().units;
   if (options.noise.empty()) return out;
   out.noise = cli::parse_quantity("noise", options.noise, sample.surface().units);
   check_noise(out.noise, sample);
@@ -172,12 +176,21 @@ bool pools(const MeasureOptions& asked) {
   });
 }
 
+// Of two maps of one place.
+void tell_noise(const cli::Tool& tool, const Field& first, const Field& other, const std::string& units) {
+  if (first.size() == 0 || first.rows() != other.rows() || first.cols() != other.cols()) return;
+  if (const auto noise = noise_of_repeated(first, other))
+    tool.note("as maps of one place they have a noise of " + cli::figure(*noise, units) +
+              " each, the rms of their difference over the root of 2: --noise takes it off");
+}
+
 int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const cli::StatsOptions& options) {
   const MeasureOptions asked = options.checked(tool);
   if (options.compare && surfaces.resolve(tool) == 1)
     throw cli::UsageError("compare", "needs two surfaces or more, and there is one");
   Mean mean(asked, !options.compare);
   std::optional<Parameters> first;
+  Field first_points;
   Parameters last;
   Warnings warnings;
   surfaces.for_each(
@@ -185,9 +198,10 @@ int print_parameters(const cli::Tool& tool, cli::EnsembleInput& surfaces, const 
       [&](Measured&& one, const std::string&) {
         warnings.add(one);
         if (options.compare && !first) {
-          first = std::move(one.rows);
+          first = std::move(one.rows), first_points = std::move(one.points);
           return;
         }
+        tell_noise(tool, first_points, one.points, one.units);
         mean.add(one);
         last = std::move(one.rows);
       },

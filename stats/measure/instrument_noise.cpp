@@ -63,6 +63,19 @@ Parameter freed(const Parameter& of, const Share& share) {
 
 }  // namespace
 
+std::optional<double> noise_of_repeated(const Field& a, const Field& b) {
+  const auto there = a.isFinite() && b.isFinite();
+  const auto n = static_cast<double>(there.count());
+  if (n < 2) return {};
+  auto square = [&](const Field& z) {
+    const double mean = there.select(z, 0).sum() / n;
+    return there.select(z - mean, 0).square().sum() / (n - 1);
+  };
+  const double of_difference = square(a - b);
+  if (!(of_difference > 0 && of_difference < (square(a) + square(b)) / 2)) return {};
+  return std::sqrt(of_difference / 2);
+}
+
 void check_noise(double noise, const Sample& sample) {
   const std::string& unit = sample.surface().units;
   if (!(noise > 0)) throw ParameterError("noise", "is not above 0 " + unit);

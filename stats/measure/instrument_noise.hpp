@@ -11,15 +11,24 @@
 /// A figure v without noise is v - a, with a its share of (1) to (4), and √(v² - a) of a root. The error is
 /// that of v, which holds the chance of the noise too, times the derivative; so are the ends of intervals.
 ///
-/// Scope     white noise: not that of a filtered, interpolated or resampled map, and no drift. n is taken for
-///           exact; of two maps of one place it is their rms difference over √2, known to 1/√(2N) from N
-///           points. What a form takes of the noise, the share M/N of its M modes, is neglected, and what an
+/// Two maps of one place differ by the noise of both: from N points of which both have,
+///     n² = 1/2(N-1) Σ (d - d̄)²,                                                                       (5)
+/// d their difference, with a relative standard error of n of 1/√(2N).
+///
+/// Scope     white noise: not that of a filtered, interpolated or resampled map, and no drift. (5) has whatever
+///           changes between the maps, an offset aside, and all noise that they share is missing. n is taken
+///           for exact. What a form takes of the noise, the share M/N of its M modes, is neglected, and what an
 ///           L-filter takes, a thousandth of n² where λc is 100 spacings, 7 % where it is 10.
 #pragma once
+
+#include <optional>
 
 #include "stats/measure.hpp"
 
 namespace asperity {
+
+/// (5); none unless the maps are of one place: with a correlation above 1/2, and not the same.
+std::optional<double> noise_of_repeated(const Field& a, const Field& b);
 
 /// Throws ParameterError("noise", …) unless 0 < noise < Sq.
 void check_noise(double noise, const Sample& sample);

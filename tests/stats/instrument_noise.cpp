@@ -48,6 +48,18 @@ TEST_CASE("what noise adds to Sq, slopes and second derivatives is its mean over
   CHECK(relative_error(m2, 2 * n * n * (c * c / 0.25 + s * s / 0.49)) <= 1e-12);
 }
 
+// 128² points know the noise to 0.55 %; holes, an offset and units are no noise.
+TEST_CASE("two maps of one place tell their noise, other maps none", "[noise][statistics]") {
+  const Field z = gaussian_acf_field({128, 128}, 8, 1);
+  Field a = z + 0.2 * white_noise({128, 128}, 2), b = z + 0.2 * white_noise({128, 128}, 3) + 5;
+  a(3, 4) = b(7, 7) = NAN;
+  const auto noise = noise_of_repeated(a, b);
+  REQUIRE(noise);
+  CHECK(std::abs(*noise / 0.2 - 1) <= 4 * 0.0055);
+  CHECK(!noise_of_repeated(a, a));
+  CHECK(!noise_of_repeated(z, gaussian_acf_field({128, 128}, 8, 4)));
+}
+
 // Means of 60 maps within 4 errors, and 95 % intervals of at least 50.
 TEST_CASE("without its noise a map has the Sq and the slope of its surface", "[noise][statistics]") {
   const Grid g = grid(96, 96, true);

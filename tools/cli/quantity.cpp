@@ -221,4 +221,9 @@ std::string format_quantity(double value, const std::string& unit) {
   return print(value / p->factor) + p->prefix + unit;
 }
 
+std::string figure(double value, const std::string& unit) {
+  if (unit != "m") return in_digits(value, 4) + " " + unit;
+  return format_quantity(to_number<double>(in_digits(value, 4)).value_or(value), unit);
+}
+
 }  // namespace asperity::cli

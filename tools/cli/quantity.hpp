@@ -71,5 +71,7 @@ std::string format_bytes(std::size_t bytes);
 
 /// "3mm" for (0.003, "m"): the value with the prefix that suits it, to nine digits.
 std::string format_quantity(double value, const std::string& unit);
+/// "3.2um" to four digits; of a field in other units "3.2 V".
+std::string figure(double value, const std::string& unit);
 
 }  // namespace asperity::cli

@@ -72,11 +72,6 @@ Chain::Result Chain::operator()(const Tool& tool, Surface& surface) const {
 
 // ---- figures of a report ----
 
-std::string figure(double value, const std::string& units) {
-  if (units != "m") return in_digits(value, 4) + " " + units;
-  return format_quantity(to_number<double>(in_digits(value, 4)).value_or(value), units);
-}
-
 // About its mean, so that an offset costs no digits.
 Spread::Spread(const Field& z) {
   if (z.isNaN().all()) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stats/measure/surface.hpp"
+#include "tools/cli/quantity.hpp"
 #include "tools/cli/tool.hpp"
 
 namespace asperity::cli {
@@ -31,8 +32,6 @@ std::vector<StepKind> grid_steps();   ///< crop, decimate, refine, spacing, rota
 
 // ---- figures of a report ----
 
-/// "3.2um" to four digits; of a field in other units "3.2 V".
-std::string figure(double value, const std::string& units);
 struct Spread {
   double mean = 0, rms = 0;  ///< rms about the mean; both zero where all is missing
   explicit Spread(const Field& z);

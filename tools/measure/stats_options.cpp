@@ -52,8 +52,8 @@ void noise_option(Tool& tool, std::string& noise) {
   tool.text(
       "--noise", noise, "SQ",
       "Rms noise of the instrument, 2nm: adds rows NAME_without_noise of Sq, m0, Sdq, and of m2 and m4, "
-      "with their errors. It is white, independent from point to point; of two maps of one place, "
-      "their rms difference over the root of 2",
+      "with their errors. It is white, independent from point to point; --compare tells that of two maps of "
+      "one place",
       "Parameters");
 }
 
