@@ -170,7 +170,8 @@ Act rows_aligned(const std::string& value) {
     AlignedRows aligned = aligned_rows(surface.heights, surface.grid, how);
     const TakenByAlignment taken = taken_by_alignment(aligned, surface.grid, how, tool.thread_count());
     constexpr double least_share = 1e-9;  // beyond round-off
-    if (taken.share > least_share) surface.aligned = std::max(surface.aligned, taken.share);
+    const auto left = [](double share) { return 1 - share * share; };
+    if (taken.share > least_share) surface.aligned = std::sqrt(1 - left(surface.aligned) * left(taken.share));
     const Field former = std::exchange(surface.heights, std::move(aligned.heights));
     std::string words =
         words_of(aligned, how, surface.units) + removed(former, surface.heights, surface.units);
