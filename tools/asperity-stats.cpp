@@ -1,6 +1,7 @@
 // Parameters of a surface with their standard errors.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -136,9 +137,11 @@ class Mean {
     const auto of_acf = [&](const LagField& rho, const Grid& grid) {
       return lobe_lengths(rho, grid, asked_.sal_level);
     };
-    const Parameters pooled = pool_.all({asked_.quantiles, asked_.material_ratios, heights_, of_acf});
+    Parameters pooled = pool_.all({asked_.quantiles, asked_.material_ratios, heights_, of_acf});
+    if (noise_ > 0)
+      std::ranges::copy(without_noise(pooled, noise_, pool_.grid(), asked_.direction),
+                        std::back_inserter(pooled));
     take_pooled(out, pooled, pool_);
-    if (noise_ > 0) take_pooled(out, without_noise(pooled, noise_, pool_.grid(), asked_.direction), pool_);
     for (EnsembleParameter& p : out) judge_error(p);
     return out;
   }

@@ -90,7 +90,7 @@ void take_pooled(std::vector<EnsembleParameter>& means, const Parameters& pooled
     const bool any_spacing = mean.name == "mean" || mean.unit == "rad" || is_number(mean.name);
     if (found == pooled.end() || (!std::isfinite(found->value) && found->unit != "rad")) {
       if (!maps.one_spacing() && !any_spacing)
-        mean.mean = mean.standard_error = mean.spread = mean.expected_spread = unknown, mean.surfaces = 0;
+        mean = {mean.name, mean.unit, unknown, unknown, unknown, unknown, 0};
       continue;
     }
     mean.mean = found->value, mean.surfaces = maps.maps();

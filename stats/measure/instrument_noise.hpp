@@ -15,10 +15,10 @@
 ///     n² = 1/2(N-1) Σ (d - d̄)²,                                                                       (5)
 /// d their difference, with a relative standard error of n of 1/√(2N).
 ///
-/// Scope     white noise: not that of a filtered, interpolated or resampled map, and no drift. (5) has whatever
-///           changes between the maps, an offset aside, and all noise that they share is missing. n is taken
-///           for exact. What a form takes of the noise, the share M/N of its M modes, is neglected, and what an
-///           L-filter takes, a thousandth of n² where λc is 100 spacings, 7 % where it is 10.
+/// Scope     white noise: not that of a filtered, interpolated or resampled map, and no drift. (5) has
+///           whatever changes between the maps, an offset aside; noise that they share is missing. n is taken
+///           for exact. What a form takes of the noise, the share M/N of its M modes, is neglected, and what
+///           an L-filter takes, a thousandth of n² where λc is 100 spacings, 7 % where it is 10.
 #pragma once
 
 #include <optional>

@@ -20,9 +20,9 @@ constexpr int heights_of_map = 500, most_groups = PooledMaps::most_degrees + 1;
 // maps are not of their pool.
 bool is_resolved(double share) { return std::min(share, 1 - share) >= 4.0 / heights_of_map; }
 
-// Means of derivatives, by the names that begin so.
+// Means of derivatives, by the names that begin so; m0 has a value where slopes have.
 bool is_mean_of_derivatives(const std::string& name) {
-  return name.starts_with("m2_") || name.starts_with("m4_") || name == "summit_curvature" ||
+  return name == "m0" || name.starts_with("m2_") || name.starts_with("m4_") || name == "summit_curvature" ||
          name == "peak_curvature";
 }
 
@@ -30,7 +30,8 @@ bool is_mean_of_derivatives(const std::string& name) {
 std::optional<std::pair<double, double>> bounds_of_extreme(const std::string& name) {
   if (name == "Sal" || name == "slowest_decay") return {{0, INFINITY}};
   if (name == "Str") return {{0, 1}};
-  if (name == "gamma" || name.starts_with("ellipticity_")) return {{1, INFINITY}};
+  if (name == "gamma" || (name.starts_with("ellipticity_") && !name.ends_with("_direction")))
+    return {{1, INFINITY}};
   return {};
 }
 
@@ -109,7 +110,8 @@ Eigen::MatrixXd to_coarser(Index lags, double ratio, bool both_signs) {
 
 void MapSums::take_spacing(const Grid& coarser) {
   if (same_spacing(grid_, coarser)) return;
-  for (auto& row : rows_) row.second = unknown;
+  for (auto& [name, sum] : rows_)
+    if (name != "m0") sum = unknown;
   if (acf_) {
     const Eigen::MatrixXd x = to_coarser(acf_->max_p(), coarser.dx / grid_.dx, false),
                           y = to_coarser(acf_->max_q(), coarser.dy / grid_.dy, true);
@@ -247,10 +249,11 @@ Parameters PooledMaps::evaluated(const MapSums& of, const PooledOptions& options
   if (!of.heights_.empty()) {
     add_core(out, MaterialRatioCurve(larger * of.heights()), options);
   }
-  add_derivatives(out, whole, [&](const std::string& name) {
+  const auto mean_of = [&](const std::string& name) {
     const auto found = of.rows_.find(name);
     return found == of.rows_.end() ? unknown : found->second / of.weight_;
-  });
+  };
+  add_derivatives(out, std::isnan(mean_of("m0")) ? unknown : whole, mean_of);
   if (of.acf_ && options.of_acf)
     std::ranges::copy(options.of_acf(of.acf_->normalised(), of.grid_), std::back_inserter(out));
   return out;

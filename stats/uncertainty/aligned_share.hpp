@@ -10,9 +10,9 @@
 /// over the lags up to the first at which ρ_a is not above zero, at most half a line. What (1) or (3)
 /// of row_alignment.hpp took besides the means is what the means of the aligned lines are now,
 ///     taken² = b σ_a² + mean of their squares about their mean,                                       (3)
-/// but no more than went altogether, as of lines that an instrument has aligned before; and all of that where
-/// lines of fewer than ten points, or of one height, tell no correlation. Of several alignments, each takes its
-/// share s of what the former have left: 1 - Π (1 - s²) of Sq².
+/// but no more than went altogether, as of lines that an instrument has aligned before; and all of that
+/// where lines of fewer than ten points, or of one height, tell no correlation. Of several alignments, each
+/// takes its share s of what the former have left: 1 - Π (1 - s²) of Sq².
 ///
 /// Symbols   σ_a  rms height of the aligned lines above that form, about their means [m]
 ///           L    length of a line [m]

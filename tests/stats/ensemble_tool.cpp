@@ -162,6 +162,18 @@ TEST_CASE("maps of unequal areas and spacings are pooled by their measured areas
   CHECK(shell("asperity-stats -q --parameters hybrid unequal_?.nc").exit == 4);
 }
 
+// The lay stands at 10 degrees; 1, the least ratio of lengths, was taken for the least direction [rad] too.
+TEST_CASE("the ellipses of several surfaces lie as the lay of their kernel", "[ensemble][statistics]") {
+  REQUIRE(shell("asperity-generate --shape 96x96 --size 96um --rq 1um --length 17px,5px --angle 10deg "
+                "--count 6 --seed 4 -q -o lay_%d.nc")
+              .exit == 0);
+  const Json all = json_of("asperity-acf --result lengths lay_?.nc");
+  for (const std::string name : {"ellipticity_10_direction", "ellipticity_e_direction"}) {
+    const double target = value_in(all, "target_" + name, "mean");
+    CHECK(std::abs(value_in(all, name, "mean") - target) <= 4 * value_in(all, name, "standard_error"));
+  }
+}
+
 // Two maps of one correlation exp(-(r/L)²), L = 8 h: of the spacings h and 1.5 h. The fourth derivative is 12/L⁴
 // at most, cubics miss (9/16)/24 = 1/42.7 of it along either axis, times the share of the fine map's area.
 TEST_CASE("correlations of two spacings are pooled at the lags of the coarser", "[ensemble][order]") {
