@@ -172,8 +172,8 @@ std::vector<double> pooled_bias(const std::vector<double>& once_more, const std:
   const Index count = std::ssize(densities);
   Eigen::ArrayXd single(count);
   for (Index i = 0; i < count; ++i) {
-    const double b =
-        std::log(once_more[static_cast<std::size_t>(i)] / densities[static_cast<std::size_t>(i)]);
+    const double b = std::log(std::max(once_more[static_cast<std::size_t>(i)], 0.0) /
+                              densities[static_cast<std::size_t>(i)]);
     single(i) = std::isnan(b) ? 0 : std::clamp(b, -2.0, 2.0);
   }
   std::vector<double> out;
@@ -192,16 +192,31 @@ bool hidden_by(double bias, const SpectrumPoint& point) {
 
 namespace {
 
+constexpr double few_pairs = 0.05;  // of those of lag 0
+
+// Mean correlation at the lags next to one at which hardly a pair is left; 0 if they have none either.
+double beside(const Field& lags, const Field& share, Index p, Index q) {
+  double sum = 0, known = 0;
+  for (Index i = p - 1; i <= p + 1; ++i)
+    for (Index j = q - 1; j <= q + 1; ++j) {
+      const Index row = (i + lags.rows()) % lags.rows(), column = (j + lags.cols()) % lags.cols();
+      if (share(row, column) < few_pairs) continue;
+      sum += lags(row, column) / share(row, column), ++known;
+    }
+  return known > 0 ? sum / known : 0;
+}
+
 // (1): a F⁻¹[C] is real and even, and so is C.
-Field times_pairs(Field lags, const RealTransform2D& transform, const Field& there) {
+Field times_pairs(const Field& lags, const RealTransform2D& transform, const Field& there) {
   AlignedVector<Complex> spectrum(static_cast<std::size_t>(transform.spectrum_size()));
   AlignedVector<double> values(there.data(), there.data() + there.size());
   transform.forward(values.data(), spectrum.data());
   for (Complex& c : spectrum) c = std::norm(c);
   transform.inverse(spectrum.data(), values.data());
-  const double all = values[0];
-  for (Index k = 0; k < lags.size(); ++k) lags.data()[k] *= values[static_cast<std::size_t>(k)] / all;
-  return lags;
+  const Field share = Eigen::Map<const Field>(values.data(), lags.rows(), lags.cols()) / values[0];
+  return Field::NullaryExpr(lags.rows(), lags.cols(), [&](Index p, Index q) {
+    return share(p, q) < few_pairs ? beside(lags, share, p, q) : share(p, q) * lags(p, q);
+  });
 }
 
 }  // namespace

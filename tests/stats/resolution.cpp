@@ -1,6 +1,7 @@
 // What a window does to the densities of a spectrum.
 #include "stats/spectrum/resolution.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -299,6 +300,25 @@ TEST_CASE("a spectrum is spread once more by the transform of the points that ar
         CAPTURE(shape.nx, shape.ny, p, q);
         CHECK(std::abs(spread(p, q) - expected) <= 20 * n * epsilon * largest);
       }
+  }
+}
+
+// Of a checkerboard and of every other line half of the power is at waves folded back, and spreading once more
+// changes nothing: densities were half of the surface's, with errors.
+TEST_CASE("holes in a pattern that folds waves back leave no density an error", "[holes][law]") {
+  const Grid g = grid(64, 64);
+  const Field smooth = moving_average(g.shape, {5, 5}, 9);
+  for (const bool lines : {false, true}) {
+    Field z = smooth;
+    for (Index i = 0; i < 64; ++i)
+      for (Index j = lines ? 0 : (i + 1) % 2; j < 64; j += lines ? 1 : 2)
+        if (!lines || i % 2 == 1) z(i, j) = none;
+    const Sample sample(prepared({.grid = g, .heights = 1e-6 * z}, {}));
+    for (const auto& points : {radial_spectrum(sample, default_windows(g)),
+                               profile_spectrum(sample, Axis1D::x, DataWindow::hann)}) {
+      const auto known = std::ranges::count(points, NoError::none, &SpectrumPoint::no_error);
+      CHECK(static_cast<double>(known) <= 0.1 * static_cast<double>(points.size()));
+    }
   }
 }
 

@@ -49,6 +49,16 @@ Table common_table(std::vector<Column> keys, const std::string& unit) {
   return out;
 }
 
+std::vector<SpectrumPoint> rings_of(const Sample& sample, const DataWindows& windows) {
+  std::vector<SpectrumPoint> out = radial_spectrum(sample, windows);
+  if (out.empty())
+    throw DataError("heights",
+                    "no ring of wave numbers fits a field of " + described(sample.grid()) +
+                        ": its shorter side is below twice the larger spacing; use --result profiles or "
+                        "--result dataset");
+  return out;
+}
+
 // Of a derivative of order d.
 std::string unit_of_derivative(const std::string& unit, int order) {
   if (unit == "m") return order == 0 ? "m" : order == 1 ? "1" : "m-1";
@@ -77,17 +87,12 @@ Table radial_psd(const Sample& sample, const DataWindows& windows, double least)
   Table out{{{"wave_number", per_length}}, {}};
   std::ranges::copy(of_errors(density_units(surface.units, 2)), std::back_inserter(out.columns));
   out.columns.push_back({"count", "1"});
-  for (const SpectrumPoint& ring : radial_spectrum(sample, windows)) {
+  for (const SpectrumPoint& ring : rings_of(sample, windows)) {
     std::vector<Cell>& row = out.rows.emplace_back();
     row.emplace_back(ring.wave_number);
     std::ranges::copy(cells(ring, least), std::back_inserter(row));
     row.emplace_back(ring.count);
   }
-  if (out.rows.empty())
-    throw DataError("heights",
-                    "no ring of wave numbers fits a field of " + described(surface.grid) +
-                        ": its shorter side is below twice the larger spacing; use --result profiles or "
-                        "--result dataset");
   return out;
 }
 
@@ -109,7 +114,7 @@ Table profile_psds(const Sample& sample, const DataWindows& windows, double leas
 Table common_radial(const Sample& sample, const DataWindows& windows, const CommonSpectra& common) {
   Table out = common_table({{"wave_number", per_length}}, density_units(sample.surface().units, 2));
   const Reach reach = reach_of_rings(sample.grid(), common.finest);
-  for (const SpectrumPoint& p : common.radial.means(radial_spectrum(sample, windows), reach))
+  for (const SpectrumPoint& p : common.radial.means(rings_of(sample, windows), reach))
     out.rows.push_back({p.wave_number, p.density, p.standard_error});
   return out;
 }
