@@ -7,6 +7,7 @@
 #include "fields.hpp"
 #include "holes.hpp"
 #include "named.hpp"
+#include "stats/measure/pooled_maps.hpp"
 
 using namespace asperity;
 using namespace asperity::test;
@@ -283,4 +284,41 @@ TEST_CASE("figures of peaks and pits that no height makes say so, and p = q make
   check_reason(all, {"Spk", "Spkx", "Sak1"}, "nothing lies beyond the core");
   check_reason(all, {"Sdc"}, "p and q are the same");
   for (const char* name : {"Spk", "Spkx", "Sak1", "Sdc"}) CHECK(named(all, name).value == 0);
+}
+
+// Two maps of one correlation exp(-(r/L)²), L = 8 h: of the spacings h and 1.5 h. The fourth derivative is 12/L⁴
+// at most, cubics miss (9/16)/24 = 1/42.7 of it along either axis, times the share of the fine map's area.
+TEST_CASE("correlations of two spacings are pooled at the lags of the coarser", "[ensemble][order]") {
+  const double h = 1e-6, length = 8 * h;
+  const auto acf_on = [&](const Grid& grid) {
+    const LagField rho = LagField::of({40, 40}, [&](Index p, Index q) {
+      const double x = static_cast<double>(p) * grid.dx, y = static_cast<double>(q) * grid.dy;
+      return std::exp(-(x * x + y * y) / (length * length));
+    });
+    return AcfEstimate(rho, {rho, true, Pairs(grid)});
+  };
+  for (const double times : {1.5, 2.0}) {
+    const Grid fine{{96, 96}, h, h}, coarse{{96, 96}, times * h, times * h};
+    PooledMaps pool;
+    for (const Grid& grid : {fine, coarse}) {
+      MapSums sums({.sa = 0.8, .sq = 1, .sku = 3}, grid, 0);
+      sums.set_acf(acf_on(grid), 0.2);
+      pool.add(sums, grid.cell_area());
+    }
+    double error = 0;
+    Grid found;
+    const auto compare = [&](const LagField& rho, const Grid& grid) {
+      found = grid;
+      const LagField exact = acf_on(grid).rho.within({20, 20});
+      error = std::max(error, (rho.within({20, 20}).half_plane() - exact.half_plane()).abs().maxCoeff());
+      return Parameters{};
+    };
+    pool.all({.of_acf = compare});
+    CHECK(found.dx == times * h);
+    CHECK(!pool.one_spacing());
+    const double bound = 2 * 12 / (std::pow(8, 4) * 42.7);
+    CAPTURE(times, error, bound);
+    CHECK(error <= (times == 2 ? 1e-14 : bound));
+    if (times != 2) CHECK(error >= 0.1 * bound);
+  }
 }
