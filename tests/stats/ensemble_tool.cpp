@@ -161,18 +161,6 @@ TEST_CASE("maps of unequal areas and spacings are pooled by their measured areas
   CHECK(shell("asperity-stats -q --parameters hybrid unequal_?.nc").exit == 4);
 }
 
-// The lay stands at 10 degrees; 1, the least ratio of lengths, was taken for the least direction [rad] too.
-TEST_CASE("the ellipses of several surfaces lie as the lay of their kernel", "[ensemble][statistics]") {
-  REQUIRE(shell("asperity-generate --shape 96x96 --size 96um --rq 1um --length 17px,5px --angle 10deg "
-                "--count 6 --seed 4 -q -o lay_%d.nc")
-              .exit == 0);
-  const Json all = json_of("asperity-acf --result lengths lay_?.nc");
-  for (const std::string name : {"ellipticity_10_direction", "ellipticity_e_direction"}) {
-    const double target = value_in(all, "target_" + name, "mean");
-    CHECK(std::abs(value_in(all, name, "mean") - target) <= 4 * value_in(all, name, "standard_error"));
-  }
-}
-
 // Of the pool they would be those of all maps.
 TEST_CASE("the quantiles 0 and 1 of several surfaces are the means of their extremes", "[stats-tool][law]") {
   write_surfaces(3);

@@ -1,4 +1,6 @@
 // asperity-acf, asperity-psd and asperity-pdf on a dataset whose correlation is known.
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "drawn_surface.hpp"
@@ -33,6 +35,22 @@ TEST_CASE("asperity-acf finds the 10 % lengths within a few of their standard er
     CAPTURE(name, value, error);
     CHECK(std::abs(value - lengths[std::string("target_") + name]["value"].get<double>()) <= 5.4 * error);
   }
+}
+
+// The lay stands at 10 degrees; 1, the least ratio of lengths, was taken for the least direction [rad] too.
+TEST_CASE("the ellipses of several surfaces lie as the lay of their kernel", "[acf-tool][statistics]") {
+  REQUIRE(shell("asperity-generate --shape 96x96 --size 96um --rq 1um --length 17px,5px --angle 10deg "
+                "--count 6 --seed 4 -q -o lay_%d.nc")
+              .exit == 0);
+  const Json all = json_of("asperity-acf -q --result lengths lay_?.nc --json");
+  const auto found = [&](const std::string& quantity, const char* column) -> double {
+    const Json& names = all["quantity"]["values"];
+    return all[column]["values"].at(
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), quantity) - names.begin()));
+  };
+  for (const std::string name : {"ellipticity_10_direction", "ellipticity_e_direction"})
+    CHECK(std::abs(found(name, "mean") - found("target_" + name, "mean")) <=
+          4 * found(name, "standard_error"));
 }
 
 TEST_CASE("asperity-acf adds the ACF over both signs of the lag to the dataset and leaves the rest as it was",

@@ -1,7 +1,7 @@
 // What a window does to the densities of a spectrum.
 #include "stats/spectrum/resolution.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -304,20 +304,27 @@ TEST_CASE("a spectrum is spread once more by the transform of the points that ar
 }
 
 // Of a checkerboard and of every other line half of the power is at waves folded back, and spreading once more
-// changes nothing: densities were half of the surface's, with errors.
-TEST_CASE("holes in a pattern that folds waves back leave no density an error", "[holes][law]") {
+// changes nothing: of 32 densities 17 to 27 had errors that did not hold the surface's.
+TEST_CASE("holes in a pattern that folds waves back leave wrong densities no error", "[holes][law]") {
   const Grid g = grid(64, 64);
   const Field smooth = moving_average(g.shape, {5, 5}, 9);
-  for (const bool lines : {false, true}) {
-    Field z = smooth;
-    for (Index i = 0; i < 64; ++i)
-      for (Index j = lines ? 0 : (i + 1) % 2; j < 64; j += lines ? 1 : 2)
-        if (!lines || i % 2 == 1) z(i, j) = none;
+  auto spectra = [&](const Field& z) {
     const Sample sample(prepared({.grid = g, .heights = 1e-6 * z}, {}));
-    for (const auto& points : {radial_spectrum(sample, default_windows(g)),
-                               profile_spectrum(sample, Axis1D::x, DataWindow::hann)}) {
-      const auto known = std::ranges::count(points, NoError::none, &SpectrumPoint::no_error);
-      CHECK(static_cast<double>(known) <= 0.1 * static_cast<double>(points.size()));
+    return std::array{radial_spectrum(sample, default_windows(g)),
+                      profile_spectrum(sample, Axis1D::x, DataWindow::hann)};
+  };
+  const auto whole = spectra(smooth);
+  for (const bool lines : {false, true}) {
+    const auto holed = spectra(Field::NullaryExpr(
+        64, 64, [&](Index i, Index j) { return (i + (lines ? 0 : j)) % 2 == 1 ? none : smooth(i, j); }));
+    for (const std::size_t s : {0, 1}) {
+      double wrong = 0;
+      for (std::size_t k = 0; k < holed[s].size(); ++k) {
+        const Interval ends = holed[s][k].interval();
+        const double density = whole[s][k].density;
+        wrong += holed[s][k].no_error == NoError::none && !(ends.low <= density && density <= ends.high);
+      }
+      CHECK(wrong <= static_cast<double>(holed[s].size()) / 6);
     }
   }
 }
