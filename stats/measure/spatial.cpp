@@ -35,6 +35,18 @@ void mark_aligned(Parameters& all) {
   }
 }
 
+// Of every other line or a checkerboard, whose transform folds waves back too.
+bool knows_neighbours(const LagField& rho, const Grid& grid) {
+  return !(grid.shape.nx > 1 && std::isnan(rho(1, 0))) && !(grid.shape.ny > 1 && std::isnan(rho(0, 1)));
+}
+
+void mark_unknown(Parameters& all) {
+  for (Parameter& p : all) {
+    p.value = p.standard_error = unknown, p.interval.reset();
+    p.why = "no value: no two neighbouring points along an axis are both measured";
+  }
+}
+
 }  // namespace
 
 Parameters lobe_lengths(const LagField& rho, const Grid& grid, double level) {
@@ -71,6 +83,7 @@ Parameters spatial_parameters(const Sample& sample, const MeasureOptions& option
           {texture.contrast}, few);
   Parameters all = std::move(out).with_known_errors(sample.size());
   if (sample.surface().aligned > 0) mark_aligned(all);
+  if (!knows_neighbours(acf.rho, sample.grid())) mark_unknown(all);
   return all;
 }
 
