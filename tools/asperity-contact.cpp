@@ -205,7 +205,7 @@ cli::Table sweep_table(const cli::Tool& tool, const cli::ContactOptions& options
     LoadVerdict verdict{of + load, doubts(scene.grid, options.bodies, c), cli::unconverged(options, c)};
     for (Doubt& doubt : cli::doubts(figures)) verdict.doubts.push_back(std::move(doubt));
     if (flow)
-      for (Doubt& doubt : cli::doubts(*flow)) verdict.doubts.push_back(std::move(doubt));
+      for (Doubt& doubt : cli::doubts(*flow, scene.grid)) verdict.doubts.push_back(std::move(doubt));
     say(verdict);
     if (options.each.empty()) return;
     cli::ContactScene one = scene;

@@ -161,7 +161,9 @@ int print_distribution(const cli::Tool& tool, const cli::FieldOptions& field, co
     surfaces.for_each(
         tool, [&](const cli::EnsembleMember& member) { return Values::of(counting.read(member.data)); },
         [&](const Values& own, const std::string&) { all.add(own); });
-  return cli::print_table(tool, surfaces, {}, &content_of, [&](const cli::EnsembleMember& member) {
+  const std::string words = "each surface counts alike";
+  const cli::Several several{.variable = field.variable, .of_sizes = words, .of_spacings = words};
+  return cli::print_table(tool, surfaces, several, &content_of, [&](const cli::EnsembleMember& member) {
     const Counted counted = counting.read(member.data);
     const Values values = alone && needs_range ? Values::of(counted) : all;
     return std::visit([&](const auto& of) { return counting.table(of, values, alone); }, counted);

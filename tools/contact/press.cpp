@@ -19,7 +19,7 @@ namespace asperity::cli {
 namespace {
 
 constexpr Index finest = 16;  // times the given cells
-constexpr double small_strain = 0.05, accurate_increments = 0.01;
+constexpr double small_strain = 0.05, accurate_increments = 0.01, coarse_layer = 0.6;
 
 // The largest error of a result, relative to it; NaN where none is known.
 double largest_error(const Contact& c, const GridFigures& figures) {
@@ -131,8 +131,15 @@ Contact contact_of(const ContactOptions& options, const ContactScene& scene, Ela
   return out;
 }
 
-std::vector<Doubt> doubts(const Flow& flow) {
+std::vector<Doubt> doubts(const Flow& flow, const Grid& grid) {
   std::vector<Doubt> out;
+  const double cell = std::min(grid.dx, grid.dy);
+  if (const auto& edges = flow.path->box().edges; edges.size() > 1 && edges[1] > coarse_layer * cell)
+    out.push_back({"has coarse layers",
+                   fmt::format("the first layer, {:.3g} cells thick, is coarse: dent and stress near the "
+                               "surface may be some 10 % off; let --depths begin with a quarter of a cell, "
+                               "{:.3g} m",
+                               edges[1] / cell, cell / 4)});
   if (flow.path->reaches_side())
     out.push_back(
         {"flows at the domain's edge",
@@ -170,7 +177,7 @@ Pressed press_plastically(const ContactOptions& options, ContactScene& scene, In
     out.figures = grid_figures(options, scene, body, out.contact);
     out.doubts = doubts(scene.grid, options.bodies, out.contact);
   }
-  for (Doubt& doubt : doubts(*out.flow)) out.doubts.push_back(std::move(doubt));
+  for (Doubt& doubt : doubts(*out.flow, scene.grid)) out.doubts.push_back(std::move(doubt));
   return out;
 }
 

@@ -80,7 +80,7 @@ std::shared_ptr<PlasticContact> plastic_path(const ContactOptions& options, cons
 Contact contact_of(const ContactOptions& options, const ContactScene& scene, ElasticOperator& influence,
                    const Flow& flow);
 /// Where flow leaves the model.
-std::vector<Doubt> doubts(const Flow& flow);
+std::vector<Doubt> doubts(const Flow& flow, const Grid& grid);
 
 /// Solves the scene, whose gap it takes unless errors of the grid were asked for.
 Pressed press(const ContactOptions& options, ContactScene& scene, Influence& influence);

@@ -102,16 +102,18 @@ std::vector<Comparison> comparisons(const Dataset& data) {
   };
   Comparison pressure = figure("maximum pressure", "max_pressure", value("hertz_pressure"), "Pa");
   if (at_limit(data.attributes)) pressure.error = NAN, pressure.remark = "the limit pressure itself";
-  return {
-      figure("load", "load", NAN, "N"),
-      figure("approach", "approach", value("hertz_approach"), "m"),
-      pressure,
-      figure("real contact area", "area_corrected", smooth.area, "m2", "without the bias of whole cells"),
-      figure("area of the cells in contact", "area", smooth.area, "m2",
-             share(area, grid.size_x() * grid.size_y(), "the domain")),
-      figure("area at the limit pressure", "plastic_area", NAN, "m2", share(plastic, area, "the contact")),
-      figure("mean gap", "mean_gap", NAN, "m"),
-      figure("stiffness", "stiffness", smooth.stiffness, "N/m")};
+  Comparison at_its_limit =
+      figure("area at the limit pressure", "plastic_area", NAN, "m2", share(plastic, area, "the contact"));
+  if (!std::isfinite(value("limit_pressure"))) at_its_limit.value = NAN;
+  return {figure("load", "load", NAN, "N"),
+          figure("approach", "approach", value("hertz_approach"), "m"),
+          pressure,
+          figure("real contact area", "area_corrected", smooth.area, "m2", "without the bias of whole cells"),
+          figure("area of the cells in contact", "area", smooth.area, "m2",
+                 share(area, grid.size_x() * grid.size_y(), "the domain")),
+          at_its_limit,
+          figure("mean gap", "mean_gap", NAN, "m"),
+          figure("stiffness", "stiffness", smooth.stiffness, "N/m")};
 }
 
 }  // namespace
