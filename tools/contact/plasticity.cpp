@@ -142,10 +142,11 @@ void PlasticOptions::declare(Tool& tool) {
       "layers as deep as it flows, a quarter of a cell thick at the surface where asperities flow",
       flow);
   tool.integer(
-      "--increments", increments, {1, 10'000},
-      "Increments of the load, of j2; their error falls as 1/N. Default: 8, 16 or 32, until half as many "
-      "give the same to 1 %. On a way of --sweep: of the largest load, 8 by default",
-      flow);
+          "--increments", increments, {1, 10'000},
+          "Increments of the load, of j2; their error falls as 1/N. Default: 8, 16 or 32, until half as many "
+          "give the same to 1 %. On a way of --sweep: of the largest load, 8 by default",
+          flow)
+      .without_default();
   tool.flag("--unload", unload,
             "Take the load off again, of j2: what stays are dent, strain and residual stress, which "
             "asperity-stress then computes alone",
